@@ -1,0 +1,31 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace specbake {
+
+/// The base of everything that the libraries throw. what() is one line, fit to be shown to a user.
+class Error : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// An argument outside its documented range.
+class ArgumentError : public Error {
+  public:
+    using Error::Error;
+};
+
+/// A file that cannot be read, written or understood: what() is "FILE: REASON".
+class FileError : public Error {
+  public:
+    FileError(std::string file, const std::string& reason)
+        : Error(file + ": " + reason), file_(std::move(file)) {}
+    const std::string& file() const noexcept { return file_; }
+
+  private:
+    std::string file_;
+};
+
+}  // namespace specbake
