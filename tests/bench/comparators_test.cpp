@@ -85,7 +85,7 @@ TEST_CASE("Glassner: the round trip is exact for any three functions") {
 
 TEST_CASE("Glassner: Fourier terms leave [0, 1] inside sRGB, boxes only in a wider cube") {
     using F = Glassner1989::Functions;
-    const auto outside = [](const char* space, F functions) {
+    const auto outside = [](const std::string& space, F functions) {
         Glassner1989 method(frameOf(*findColorSpace(space)), functions);
         method.setUp();
         const auto colors = cubeColors(method.frame(), 5000);

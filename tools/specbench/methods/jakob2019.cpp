@@ -124,8 +124,15 @@ SigmoidFit fitSigmoid(const XYZ& color, const Observer& observer,
 }
 
 Reconstruction Jakob2019Direct::reconstruct(const XYZ& color) const {
-    constexpr double visible = 0.01;
-    const SigmoidFit fit = fitSigmoid(color, frame().observer);
+    constexpr double visible = 1;
+    constexpr double arrived = 1e-3;
+    SigmoidFit fit = fitSigmoid(color, frame().observer);
+    if (fit.labError > arrived) {
+        const double Y = std::clamp(color.y, 1e-9, 1 - 1e-9);
+        const SigmoidCoefficients grey{0, 0, (Y - 0.5) / std::sqrt(Y * (1 - Y))};  // S(c_2) = Y
+        const SigmoidFit other = fitSigmoid(color, frame().observer, limited(grey));
+        if (other.labError < fit.labError) fit = other;
+    }
     return {sigmoidSpectrum(fit.coefficients), fit.labError <= visible};
 }
 

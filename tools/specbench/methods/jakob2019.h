@@ -33,12 +33,13 @@ struct SigmoidFit {
 SigmoidFit fitSigmoid(const XYZ& color, const Observer& observer,
                       const SigmoidCoefficients& start = {});
 
-/// One fit a colour, from the spectrum ½.
+/// One fit a colour, from the spectrum ½ as the authors start; where that does not arrive (faint
+/// saturated colours are far from it), from the grey of the same luminance.
 class Jakob2019Direct : public Method {
   public:
     explicit Jakob2019Direct(Frame frame)
         : Method({"Jakob & Hanika 2019", "direct"}, std::move(frame)) {}
-    /// Says that it did not converge where a CIELAB difference of more than 0.01 is left.
+    /// Says that it did not converge where a CIELAB difference of more than 1 is left.
     Reconstruction reconstruct(const XYZ& color) const override;
 };
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace specbake::bench {
+
+/// What all commands share.
+struct Options {
+    std::string out = "bench";              ///< folder of the results
+    std::string data = SPECBENCH_DATA_DIR;  ///< folder of the tables
+    std::vector<std::string> reflectances;  ///< CSV files; none: the ColorChecker of `data`
+    bool full = false;                      ///< more colours, longer runs
+
+    std::size_t colors() const { return full ? 100'000 : 5'000; }
+};
+
+/// Speed and accuracy of every method and setting: accuracy.csv, accuracy.json.
+void runAccuracy(const Options& options);
+/// Failures, residual and continuity towards the boundary: stability.*, and map.csv.
+void runStability(const Options& options);
+/// What a texture needs of the grid and of the half floats: scene.*.
+void runScene(const Options& options);
+/// The spectra of a dozen measured colours by every method: spectra.*.
+void runSpectra(const Options& options);
+
+}  // namespace specbake::bench

@@ -1,0 +1,54 @@
+// specbench: measures what docs/charts.md shows.
+//
+//     specbench accuracy|stability|scene|spectra [--out DIR] [--full] [--reflectances FILE...]
+#include "commands.h"
+
+#include <specbake/core/error.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+using namespace specbake::bench;
+
+enum ExitCode { done = 0, couldNot = 1, wrongCommand = 2 };
+
+using Command = void (*)(const Options&);
+
+void addCommand(CLI::App& app, const char* name, const char* help, Command command,
+                Options& options, Command& chosen) {
+    CLI::App* sub = app.add_subcommand(name, help);
+    sub->add_option("-o,--out", options.out, "folder of the results")->capture_default_str();
+    sub->add_option("--data", options.data, "folder of the tables");
+    sub->add_option("--reflectances", options.reflectances,
+                    "CSV files of measured reflectances: a name and 81 values a row");
+    sub->add_flag("--full", options.full, "more colours and longer runs");
+    sub->callback([command, &chosen] { chosen = command; });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Speed, accuracy and stability of ways from a colour to a spectrum"};
+    app.require_subcommand(1);
+    Options options;
+    Command chosen = nullptr;
+    addCommand(app, "accuracy", "speed and accuracy of every method", runAccuracy, options, chosen);
+    addCommand(app, "spectra", "the spectra of a dozen colours", runSpectra, options, chosen);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? done : wrongCommand;
+    }
+    try {
+        chosen(options);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "specbench: {}\n", error.what());
+        return couldNot;
+    }
+    return done;
+}

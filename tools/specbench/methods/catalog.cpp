@@ -1,0 +1,62 @@
+#include "catalog.h"
+
+#include "glassner1989.h"
+#include "grid_method.h"
+#include "jakob2019_table.h"
+#include "mallett2019.h"
+#include "max_entropy.h"
+#include "nearest_grey.h"
+#include "smits1999.h"
+#include "solver_method.h"
+
+#include <specbake/core/smooth.h>
+
+namespace specbake::bench {
+namespace {
+
+template <class M, class... Arguments>
+void add(Methods& list, Arguments&&... arguments) {
+    list.push_back(std::make_unique<M>(std::forward<Arguments>(arguments)...));
+}
+
+void addSmooth(Methods& list, const Frame& frame, const std::vector<int>& grids) {
+    const auto solver = std::make_shared<const SmoothSolver>(frame.observer);
+    add<SolverMethod>(list, MethodName{"smooth", "direct"}, frame, solver);
+    for (const int nodes : grids) {
+        add<GridMethod>(list, MethodName{"smooth", ""}, frame, solver, nodes);
+    }
+}
+
+}  // namespace
+
+Methods everyMethod(const std::string& data) {
+    const Frame frame = sRGBFrame();
+    Methods list;
+    addSmooth(list, frame, {5, 9, 13, 17, 25, 33, 65});
+    add<Jakob2019Direct>(list, frame);
+    add<Jakob2019Table>(list, frame);
+    add<Mallett2019>(list, frame, data + "/mallett2019.csv");
+    add<MaxEntropy>(list, frame);
+    add<NearestGrey>(list, frame, NearestGrey::Bounds::clipped);
+    add<NearestGrey>(list, frame, NearestGrey::Bounds::none);
+    add<Smits1999>(list, frame, data + "/smits1999.csv");
+    add<Smits1999>(list, smitsFrame(), data + "/smits1999.csv");
+    add<Glassner1989>(list, frame, Glassner1989::Functions::fourier);
+    add<Glassner1989>(list, frame, Glassner1989::Functions::boxes);
+    return list;
+}
+
+Methods oneOfEach(const std::string& data) {
+    const Frame frame = sRGBFrame();
+    Methods list;
+    addSmooth(list, frame, {});
+    add<Jakob2019Direct>(list, frame);
+    add<Mallett2019>(list, frame, data + "/mallett2019.csv");
+    add<MaxEntropy>(list, frame);
+    add<NearestGrey>(list, frame, NearestGrey::Bounds::clipped);
+    add<Smits1999>(list, frame, data + "/smits1999.csv");
+    add<Glassner1989>(list, frame, Glassner1989::Functions::fourier);
+    return list;
+}
+
+}  // namespace specbake::bench
