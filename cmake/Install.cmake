@@ -3,8 +3,10 @@ include(CMakePackageConfigHelpers)
 
 set(libraries core)  # src/*, in the order in which data flows
 set(programs)
-# What a static library links, even PRIVATE, its user's program links too.
+# What a static library links, even PRIVATE, its user's program links too: CMake packages, and
+# modules of pkg-config as pkg_check_modules(NAME REQUIRED IMPORTED_TARGET NAME) finds them.
 set(packages Imath)
+set(modules)
 set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/specbake)
 
 foreach(library IN LISTS libraries)
@@ -24,5 +26,4 @@ configure_package_config_file(cmake/specbakeConfig.cmake.in specbakeConfig.cmake
 write_basic_package_version_file(specbakeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/specbakeConfig.cmake
               ${PROJECT_BINARY_DIR}/specbakeConfigVersion.cmake
-              ${PROJECT_SOURCE_DIR}/cmake/FindOpenImageIO.cmake
         DESTINATION ${destination})
