@@ -1,12 +1,12 @@
 # The libraries as an installed package: find_package(specbake), specbake::core and so on.
 include(CMakePackageConfigHelpers)
 
-set(libraries core)  # src/*, in the order in which data flows
-set(programs)
+set(libraries core image bake)  # src/*, in the order in which data flows
+set(programs specbake)
 # What a static library links, even PRIVATE, its user's program links too: CMake packages, and
 # modules of pkg-config as pkg_check_modules(NAME REQUIRED IMPORTED_TARGET NAME) finds them.
-set(packages Imath)
-set(modules)
+set(packages Imath OpenEXR OpenImageIO TBB)
+set(modules libisal libdeflate)
 set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/specbake)
 
 foreach(library IN LISTS libraries)

@@ -18,8 +18,7 @@ bool isInUnitCube(const Color& color) {
 
 }  // namespace
 
-SpectrumLookup::SpectrumLookup(int gridNodes, const Imath::M33d& xyzFromTexel,
-                               const Solver& solver)
+SpectrumLookup::SpectrumLookup(int gridNodes, const Imath::M33d& xyzFromTexel, const Solver& solver)
     : grid_(gridNodes),
       xyzFromTexel_(xyzFromTexel),
       solver_(solver),

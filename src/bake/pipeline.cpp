@@ -34,10 +34,10 @@ void runPipeline(int count, const Stages& stages, int threads, const std::stop_t
     const auto inFlight = std::size_t(workers) + 1;  // one to be read or written beside them
     tbb::task_arena(workers).execute([&] {
         using enum tbb::filter_mode;
-        tbb::parallel_pipeline(inFlight, tbb::make_filter<void, int>(serial_in_order, read) &
-                                             tbb::make_filter<int, int>(parallel, process) &
-                                             tbb::make_filter<int, void>(serial_in_order,
-                                                                         stages.write));
+        tbb::parallel_pipeline(inFlight,
+                               tbb::make_filter<void, int>(serial_in_order, read) &
+                                   tbb::make_filter<int, int>(parallel, process) &
+                                   tbb::make_filter<int, void>(serial_in_order, stages.write));
     });
 }
 

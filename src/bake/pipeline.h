@@ -13,10 +13,9 @@ struct Stages {
     std::function<void(int)> write;
 };
 
-/// Sends bands 0 to count - 1 through the stages on `threads` threads (0: all cores), a bounded number of bands
-/// at a time. Throws what a stage throws, or Cancelled.
-void runPipeline(int count, const Stages& stages, int threads,
-                 const std::stop_token& stop);
+/// Sends bands 0 to count - 1 through the stages on `threads` threads (0: all cores), a bounded
+/// number of bands at a time. Throws what a stage throws, or Cancelled.
+void runPipeline(int count, const Stages& stages, int threads, const std::stop_token& stop);
 
 /// How many threads `threads` means here.
 int threadCount(int threads);

@@ -24,8 +24,8 @@ struct TexelCensus {
 
     std::size_t direct = 0;  ///< solved one by one
     Kind notFinite;
-    Kind outside;            ///< of the object-colour solid
-    Kind failed;             ///< inside, and yet not solved
+    Kind outside;  ///< of the object-colour solid
+    Kind failed;   ///< inside, and yet not solved
 
     void append(const TexelCensus& later) {
         direct += later.direct;

@@ -63,7 +63,8 @@ class Comparison {
               spectral_.text("specbake:illuminant").value_or(space_.illuminant))),
           xyzFromTexel_(xyzFromRGB(space_, observer_.white())),
           decoder_(texture_.info(), space_) {
-        if (spectral_.header().data.width != width() || spectral_.header().data.height != height()) {
+        if (spectral_.header().data.width != width() ||
+            spectral_.header().data.height != height()) {
             throw FileError(spectral, "not of the size of " + texture);
         }
     }
@@ -71,9 +72,9 @@ class Comparison {
     Verification run(int threads) {
         const int count = (height() + kRows - 1) / kRows;
         rows_.resize(std::size_t(count));
-        runPipeline(count, {[&](int i) { read(i); }, [&](int i) { compare(i); },
-                            [&](int i) { gather(i); }},
-                    threads, {});
+        runPipeline(
+            count, {[&](int i) { read(i); }, [&](int i) { compare(i); }, [&](int i) { gather(i); }},
+            threads, {});
         if (total_.texels > 0) total_.meanDE2000 /= double(total_.texels);
         total_.p99DE2000 = histogram_.percentile(0.99, total_.texels);
         return total_;

@@ -13,10 +13,14 @@ exr_attr_box2i_t boxOf(const Window& w) {
 
 exr_compression_t compressionOf(Compression compression) {
     switch (compression) {
-        case Compression::zip: return EXR_COMPRESSION_ZIP;
-        case Compression::zips: return EXR_COMPRESSION_ZIPS;
-        case Compression::piz: return EXR_COMPRESSION_PIZ;
-        case Compression::none: break;
+        case Compression::zip:
+            return EXR_COMPRESSION_ZIP;
+        case Compression::zips:
+            return EXR_COMPRESSION_ZIPS;
+        case Compression::piz:
+            return EXR_COMPRESSION_PIZ;
+        case Compression::none:
+            break;
     }
     return EXR_COMPRESSION_NONE;
 }
@@ -43,9 +47,12 @@ struct AttributeSetter {
                 const exr_attr_v3f_t value = {v[0], v[1], v[2]};
                 return exr_attr_set_v3f(context, 0, name, &value);
             }
-            case 9: return exr_attr_set_m33f(context, 0, name, matrix<exr_attr_m33f_t>(v).get());
-            case 16: return exr_attr_set_m44f(context, 0, name, matrix<exr_attr_m44f_t>(v).get());
-            default: return EXR_ERR_INVALID_ARGUMENT;
+            case 9:
+                return exr_attr_set_m33f(context, 0, name, matrix<exr_attr_m33f_t>(v).get());
+            case 16:
+                return exr_attr_set_m44f(context, 0, name, matrix<exr_attr_m44f_t>(v).get());
+            default:
+                return EXR_ERR_INVALID_ARGUMENT;
         }
     }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <OpenEXR/openexr.h>
 #include <specbake/image/spectral_layout.h>
+
+#include <OpenEXR/openexr.h>
 
 #include <filesystem>
 #include <string>
@@ -12,8 +13,8 @@ namespace specbake {
 class ExrContext {
   public:
     /// `file` is written, `shownAs` is what errors call it.
-    ExrContext(const std::filesystem::path& file, std::string shownAs,
-               const SpectralHeader& header, const StorageOptions& storage);
+    ExrContext(const std::filesystem::path& file, std::string shownAs, const SpectralHeader& header,
+               const StorageOptions& storage);
     ~ExrContext();
     ExrContext(const ExrContext&) = delete;
     ExrContext& operator=(const ExrContext&) = delete;

@@ -36,7 +36,7 @@ class Encoder {
             channel.user_line_stride = channel.width * channel.bytes_per_element;
         }
         context_.check(exr_encoding_choose_default_routines(context_.get(), 0, &encoder_));
-        encoder_.convert_and_pack_fn = nullptr;  // they are packed already
+        encoder_.convert_and_pack_fn = nullptr;                           // they are packed already
         encoder_.packed_buffer = const_cast<std::byte*>(samples.data());  // it only reads
         encoder_.packed_bytes = samples.size();
         encoder_.encoding_user_data = &packed;

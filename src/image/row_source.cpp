@@ -46,7 +46,8 @@ void RowSource::fail() {
 }
 
 void RowSource::read(int first, int count, std::span<std::byte> samples) {
-    const std::size_t rowBytes = std::size_t(spec().width) * std::size_t(spec().nchannels) * type_.size();
+    const std::size_t rowBytes =
+        std::size_t(spec().width) * std::size_t(spec().nchannels) * type_.size();
     if (samples.size() < rowBytes * std::size_t(count)) {
         throw ArgumentError("a buffer too small for its rows");
     }
@@ -61,8 +62,8 @@ void RowSource::read(int first, int count, std::span<std::byte> samples) {
     for (int row = 0; row < count; ++row) {
         readTileRow((first + row) / spec().tile_height);
         const std::size_t inside = std::size_t((first + row) % spec().tile_height);
-        std::memcpy(samples.data() + rowBytes * std::size_t(row),
-                    tiles_.data() + rowBytes * inside, rowBytes);
+        std::memcpy(samples.data() + rowBytes * std::size_t(row), tiles_.data() + rowBytes * inside,
+                    rowBytes);
     }
 }
 

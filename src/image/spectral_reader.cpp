@@ -60,8 +60,7 @@ const SpectralHeader& SpectralReader::header() const {
 }
 
 std::optional<std::string> SpectralReader::text(const std::string& attribute) const {
-    const auto* value =
-        implementation_->source.spec().find_attribute(attribute, OIIO::TypeString);
+    const auto* value = implementation_->source.spec().find_attribute(attribute, OIIO::TypeString);
     if (value == nullptr) return {};
     return value->get_string();
 }
@@ -70,13 +69,13 @@ void SpectralReader::readRows(int first, int count, std::span<float> samples) {
     Implementation& i = *implementation_;
     const auto channels = std::size_t(i.source.spec().nchannels);
     const std::size_t texels = std::size_t(count) * std::size_t(i.header.data.width);
-    if (samples.size() < texels * kBandCount) throw ArgumentError("a buffer too small for its rows");
+    if (samples.size() < texels * kBandCount)
+        throw ArgumentError("a buffer too small for its rows");
     i.texels.resize(texels * channels);
     i.source.read(first, count, std::as_writable_bytes(std::span(i.texels)));
     for (std::size_t t = 0; t < texels; ++t) {
         for (std::size_t band = 0; band < kBandCount; ++band) {
-            samples[t * kBandCount + band] =
-                i.texels[t * channels + std::size_t(i.channels[band])];
+            samples[t * kBandCount + band] = i.texels[t * channels + std::size_t(i.channels[band])];
         }
     }
 }

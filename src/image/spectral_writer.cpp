@@ -71,10 +71,12 @@ std::vector<std::byte> SpectralWriter::pack(int chunk, std::span<const std::byte
     if (samples.size() != chunkBytes(chunk)) throw ArgumentError("a chunk of another size");
     switch (i.storage.compression) {
         case Compression::zip:
-        case Compression::zips: return packZip(samples, i.storage.level);
+        case Compression::zips:
+            return packZip(samples, i.storage.level);
         case Compression::piz:
             return packPiz(i.context, i.header.data.y + chunkFirstRow(chunk), samples);
-        case Compression::none: break;
+        case Compression::none:
+            break;
     }
     return {samples.begin(), samples.end()};
 }

@@ -47,17 +47,20 @@ TexelDecoder::TexelDecoder(const TextureInfo& info, const ColorSpace& space)
 /// A stored sample as a number, integers as a share of their largest.
 float TexelDecoder::sample(const std::byte* at) const {
     switch (type_) {
-        case SampleType::uint8: return float(load<std::uint8_t>(at)) / 255.0F;
-        case SampleType::uint16: return float(load<std::uint16_t>(at)) / 65535.0F;
-        case SampleType::half: return float(load<Imath::half>(at));
-        case SampleType::float32: break;
+        case SampleType::uint8:
+            return float(load<std::uint8_t>(at)) / 255.0F;
+        case SampleType::uint16:
+            return float(load<std::uint16_t>(at)) / 65535.0F;
+        case SampleType::half:
+            return float(load<Imath::half>(at));
+        case SampleType::float32:
+            break;
     }
     return load<float>(at);
 }
 
 float TexelDecoder::linear(float encoded) const {
-    return transfer_ == Transfer::linear ? encoded
-                                         : float(decoded(double(encoded), transfer_));
+    return transfer_ == Transfer::linear ? encoded : float(decoded(double(encoded), transfer_));
 }
 
 void TexelDecoder::decode(std::span<const std::byte> samples, std::size_t count,

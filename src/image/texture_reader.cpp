@@ -9,19 +9,27 @@ namespace {
 
 SampleType sampleTypeOf(const OIIO::TypeDesc& format) {
     switch (format.basetype) {
-        case OIIO::TypeDesc::UINT8: return SampleType::uint8;
-        case OIIO::TypeDesc::UINT16: return SampleType::uint16;
-        case OIIO::TypeDesc::HALF: return SampleType::half;
-        default: return SampleType::float32;
+        case OIIO::TypeDesc::UINT8:
+            return SampleType::uint8;
+        case OIIO::TypeDesc::UINT16:
+            return SampleType::uint16;
+        case OIIO::TypeDesc::HALF:
+            return SampleType::half;
+        default:
+            return SampleType::float32;
     }
 }
 
 OIIO::TypeDesc descriptionOf(SampleType type) {
     switch (type) {
-        case SampleType::uint8: return OIIO::TypeUInt8;
-        case SampleType::uint16: return OIIO::TypeUInt16;
-        case SampleType::half: return OIIO::TypeHalf;
-        case SampleType::float32: break;
+        case SampleType::uint8:
+            return OIIO::TypeUInt8;
+        case SampleType::uint16:
+            return OIIO::TypeUInt16;
+        case SampleType::half:
+            return OIIO::TypeHalf;
+        case SampleType::float32:
+            break;
     }
     return OIIO::TypeFloat;
 }
@@ -74,8 +82,7 @@ TextureInfo infoOf(const std::string& path, RowSource& source) {
     info.pixelAspectRatio = spec.get_float_attribute("PixelAspectRatio", 1.0F);
     info.channels = spec.nchannels;
     if (spec.alpha_channel >= 0 && spec.nchannels > 1) info.alpha = spec.alpha_channel;
-    info.associatedAlpha =
-        info.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
+    info.associatedAlpha = info.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
     info.sampleType = sampleTypeOf(spec.format);
     checkChannels(info);
     info.automaticSpace = automaticSpace(spec, info.sampleType);

@@ -62,7 +62,8 @@ void parseCompression(const std::string& text, StorageOptions& storage) {
                                                       {"piz", Compression::piz}};
     const auto colon = text.find(':');
     const auto kind = kinds.find(text.substr(0, colon));
-    if (kind == kinds.end()) throw ArgumentError("--compression: none, zip[:LEVEL], zips[:LEVEL] or piz, not " + text);
+    if (kind == kinds.end())
+        throw ArgumentError("--compression: none, zip[:LEVEL], zips[:LEVEL] or piz, not " + text);
     storage.compression = kind->second;
     if (colon == std::string::npos) return;
     const char* end = text.data() + text.size();
@@ -93,12 +94,15 @@ bool isUpToDate(const Arguments& a) {
 }
 
 void writeStats(const BakeStatistics& s, const Arguments& a) {
-    const nlohmann::ordered_json json = {
-        {"input", a.input},           {"output", a.output},
-        {"space", s.space},           {"illuminant", s.illuminant},
-        {"texels", s.texels},         {"direct_texels", s.directTexels},
-        {"nodes_solved", s.nodesSolved}, {"seconds", s.seconds},
-        {"notes", s.notes}};
+    const nlohmann::ordered_json json = {{"input", a.input},
+                                         {"output", a.output},
+                                         {"space", s.space},
+                                         {"illuminant", s.illuminant},
+                                         {"texels", s.texels},
+                                         {"direct_texels", s.directTexels},
+                                         {"nodes_solved", s.nodesSolved},
+                                         {"seconds", s.seconds},
+                                         {"notes", s.notes}};
     OutputFile file(a.statsFile);
     std::ofstream out(file.temporaryPath());
     out << json.dump(2) << '\n';
@@ -112,9 +116,10 @@ void report(const BakeStatistics& s, const Arguments& a) {
         if (!a.quiet) std::fprintf(stderr, "specbake: %s: %s\n", a.input.c_str(), note.c_str());
     }
     if (a.verbose) {
-        std::printf("%s -> %s: %zu texels (%s, %s) in %.2f s; %zu nodes solved, %zu texels one by one\n",
-                    a.input.c_str(), a.output.c_str(), s.texels, s.space.c_str(),
-                    s.illuminant.c_str(), s.seconds, s.nodesSolved, s.directTexels);
+        std::printf(
+            "%s -> %s: %zu texels (%s, %s) in %.2f s; %zu nodes solved, %zu texels one by one\n",
+            a.input.c_str(), a.output.c_str(), s.texels, s.space.c_str(), s.illuminant.c_str(),
+            s.seconds, s.nodesSolved, s.directTexels);
     }
 }
 
@@ -150,7 +155,9 @@ Command addBake(CLI::App& program) {
     command->add_option("--space", a->space, "colour space of the texture")
         ->check(CLI::IsMember(spaceNames()))
         ->capture_default_str();
-    command->add_option("--illuminant", a->illuminant, "light under which the colours hold; auto: the space's white, E for xyz")
+    command
+        ->add_option("--illuminant", a->illuminant,
+                     "light under which the colours hold; auto: the space's white, E for xyz")
         ->check(CLI::IsMember(illuminantChoices()))
         ->capture_default_str();
     command->add_option("--grid", a->grid, "nodes of the lookup grid along each axis")
@@ -159,7 +166,9 @@ Command addBake(CLI::App& program) {
     command->add_option("-d,--data-type", a->sampleType, "samples of the spectral image")
         ->check(CLI::IsMember({"half", "float"}))
         ->capture_default_str();
-    command->add_option("--compression", a->compression, "none, zip[:LEVEL], zips[:LEVEL] or piz; levels 1-3 fast, 4-12 small")
+    command
+        ->add_option("--compression", a->compression,
+                     "none, zip[:LEVEL], zips[:LEVEL] or piz; levels 1-3 fast, 4-12 small")
         ->capture_default_str();
     command->add_option("-j,--threads", a->threads, "threads, 0 for all cores")
         ->check(CLI::Range(0, 1024))

@@ -33,10 +33,11 @@ void printJson(const Verification& v) {
 }
 
 void printText(const Verification& v) {
-    std::printf("%zu texels: CIEDE2000 mean %.4f, p99 %.4f, max %.4f at (%zu, %zu); "
-                "largest |dXYZ| %.2e; %zu samples outside [0, 1]; %zu colours outside the solid\n",
-                v.texels, v.meanDE2000, v.p99DE2000, v.maxDE2000, v.worstX, v.worstY,
-                v.maxXYZDifference, v.outOfRange, v.outsideSolid);
+    std::printf(
+        "%zu texels: CIEDE2000 mean %.4f, p99 %.4f, max %.4f at (%zu, %zu); "
+        "largest |dXYZ| %.2e; %zu samples outside [0, 1]; %zu colours outside the solid\n",
+        v.texels, v.meanDE2000, v.p99DE2000, v.maxDE2000, v.worstX, v.worstY, v.maxXYZDifference,
+        v.outOfRange, v.outsideSolid);
 }
 
 ExitCode verifyCommand(const Arguments& a) {
@@ -60,8 +61,10 @@ Command addVerify(CLI::App& program) {
     command->add_option("--max-de", a->maxDE, "exit 3 if a texel differs by more (CIEDE2000)")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    command->add_option("--space", a->options.space, "colour space of the texture, if the file names none");
-    command->add_option("--illuminant", a->options.illuminant, "illuminant, if the file names none");
+    command->add_option("--space", a->options.space,
+                        "colour space of the texture, if the file names none");
+    command->add_option("--illuminant", a->options.illuminant,
+                        "illuminant, if the file names none");
     command->add_option("-j,--threads", a->options.threads, "threads, 0 for all cores")
         ->check(CLI::Range(0, 1024));
     command->add_flag("--json", a->json, "print the figures as JSON");

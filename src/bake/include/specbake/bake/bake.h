@@ -19,9 +19,9 @@ struct BakeOptions {
     std::optional<std::string> illuminant;  ///< of illuminantNames(); none: the space's own white
     int grid = 17;                          ///< nodes an axis, GridAxis::kFewestNodes to kMostNodes
     StorageOptions storage;
-    int threads = 0;                        ///< 0: all cores
-    std::stop_token stop;                   ///< when stopped, bake() throws Cancelled
-    std::function<void(double)> progress;   ///< called with 0 to 1, from one thread at a time
+    int threads = 0;                       ///< 0: all cores
+    std::stop_token stop;                  ///< when stopped, bake() throws Cancelled
+    std::function<void(double)> progress;  ///< called with 0 to 1, from one thread at a time
 };
 
 /// What was done, for `--stats` and `-v`.

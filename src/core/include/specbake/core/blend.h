@@ -24,8 +24,7 @@ enum class BlendType { half, float32 };
 /// Blends a row of texels into kNodeValues planes: plane p begins at
 /// `planes + p * planeStride` bytes and gets one sample a texel, half (rounded to nearest even) or
 /// float. Previews are clamped at 0, bands to [0, 1] (the weights' sum is 1 only to rounding).
-void blend(std::span<const Mix> texels, BlendType type, std::byte* planes,
-           std::size_t planeStride);
+void blend(std::span<const Mix> texels, BlendType type, std::byte* planes, std::size_t planeStride);
 
 /// `values` as one plane of that type, not clamped.
 void storeSamples(std::span<const float> values, BlendType type, std::byte* plane);

@@ -15,16 +15,16 @@ namespace specbake {
 /// What a texture's file says of it.
 struct TextureInfo {
     std::string path;
-    Window data;                    ///< where there are pixels
-    Window display;                 ///< what is meant to be seen
+    Window data;     ///< where there are pixels
+    Window display;  ///< what is meant to be seen
     float pixelAspectRatio = 1;
-    int channels = 0;               ///< 1 to 4, alpha included
-    std::optional<int> alpha;       ///< the index of the alpha channel
-    bool associatedAlpha = false;   ///< colour in the file is multiplied by alpha
+    int channels = 0;                           ///< 1 to 4, alpha included
+    std::optional<int> alpha;                   ///< the index of the alpha channel
+    bool associatedAlpha = false;               ///< colour in the file is multiplied by alpha
     SampleType sampleType = SampleType::uint8;  ///< as stored, or the next larger that is offered
-    ColorSpace automaticSpace;      ///< what `--space auto` means for this file
-    Attributes attributes;          ///< metadata worth keeping
-    std::vector<std::string> notes; ///< one line each on what of the file is not used
+    ColorSpace automaticSpace;                  ///< what `--space auto` means for this file
+    Attributes attributes;                      ///< metadata worth keeping
+    std::vector<std::string> notes;             ///< one line each on what of the file is not used
 
     std::size_t bytesPerRow() const {
         return std::size_t(data.width) * std::size_t(channels) * bytesPerSample(sampleType);
@@ -63,8 +63,8 @@ class TexelDecoder {
     /// `count` texels of `samples` to linear colour (grey is given to all three components) and,
     /// if the texture has alpha, `alpha[i]` (else alpha is not touched). A transparent texel
     /// (alpha 0) of an associated file keeps its colour as it is stored.
-    void decode(std::span<const std::byte> samples, std::size_t count,
-                std::array<float, 3>* color, float* alpha) const;
+    void decode(std::span<const std::byte> samples, std::size_t count, std::array<float, 3>* color,
+                float* alpha) const;
 
   private:
     float sample(const std::byte* at) const;
