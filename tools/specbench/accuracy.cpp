@@ -69,7 +69,12 @@ class Run {
     }
 
     void addRoundTrip(const Method& method) {
-        for (const ColorSet& set : rgbSets(method.frame(), options_.colors())) {
+        const Solid solid(method.frame().observer);
+        std::vector<ColorSet> sets = rgbSets(method.frame(), options_.colors());
+        for (ColorSet& set : solidSets(method.frame(), solid, options_.colors())) {
+            sets.push_back(std::move(set));
+        }
+        for (const ColorSet& set : sets) {
             for (const Measure& m : measureRoundTrip(method, set)) add(method, set.name, m);
             const auto ratios = continuity(method, set.colors, kContinuityDistance);
             add(method, set.name, {"continuity median", median(ratios), "reflectance per RGB"});

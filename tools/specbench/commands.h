@@ -11,6 +11,8 @@ struct Options {
     std::string out = "bench";              ///< folder of the results
     std::string data = SPECBENCH_DATA_DIR;  ///< folder of the tables
     std::vector<std::string> reflectances;  ///< CSV files; none: the ColorChecker of `data`
+    std::vector<std::string> textures;      ///< images to take colours from
+    std::string charts = "docs/charts";     ///< folder of the charts
     bool full = false;                      ///< more colours, longer runs
 
     std::size_t colors() const { return full ? 100'000 : 5'000; }
@@ -24,5 +26,7 @@ void runStability(const Options& options);
 void runScene(const Options& options);
 /// The spectra of a dozen measured colours by every method: spectra.*.
 void runSpectra(const Options& options);
+/// All of the above, then the charts. Throws Error if the plotting step fails.
+void runCharts(const Options& options);
 
 }  // namespace specbake::bench

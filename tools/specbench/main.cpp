@@ -1,6 +1,7 @@
 // specbench: measures what docs/charts.md shows.
 //
-//     specbench accuracy|stability|scene|spectra [--out DIR] [--full] [--reflectances FILE...]
+//     specbench charts|accuracy|stability|scene|spectra [--out DIR] [--full]
+//               [--reflectances FILE...] [--textures FILE...]
 #include "commands.h"
 
 #include <specbake/core/error.h>
@@ -26,6 +27,8 @@ void addCommand(CLI::App& app, const char* name, const char* help, Command comma
     sub->add_option("--data", options.data, "folder of the tables");
     sub->add_option("--reflectances", options.reflectances,
                     "CSV files of measured reflectances: a name and 81 values a row");
+    sub->add_option("--textures", options.textures, "images to take colours from");
+    sub->add_option("--charts", options.charts, "folder of the charts")->capture_default_str();
     sub->add_flag("--full", options.full, "more colours and longer runs");
     sub->callback([command, &chosen] { chosen = command; });
 }
@@ -39,6 +42,11 @@ int main(int argc, char** argv) {
     Command chosen = nullptr;
     addCommand(app, "accuracy", "speed and accuracy of every method", runAccuracy, options, chosen);
     addCommand(app, "spectra", "the spectra of a dozen colours", runSpectra, options, chosen);
+    addCommand(app, "stability", "failures and continuity towards the boundary", runStability,
+               options, chosen);
+    addCommand(app, "scene", "what textures need of the grid and of the half floats", runScene,
+               options, chosen);
+    addCommand(app, "charts", "all of these, then the charts", runCharts, options, chosen);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,5 +1,7 @@
 #include "sets.h"
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <functional>
 #include <random>
@@ -61,7 +63,69 @@ ColorSet lattice(const Frame& frame, std::size_t count) {
     return set;
 }
 
+/// Where the ray towards a random point of the box about the solid leaves it.
+XYZ boundaryColor(const Solid& solid, Generator& random) {
+    const XYZ white = solid.white();
+    const RGB share = uniformRGB(random, 0, 1);
+    return solid.exit(XYZ(share.x * white.x, share.y * white.y, share.z * white.z)).color;
+}
+
+ColorSet uniformInSolid(const Solid& solid, std::size_t count) {
+    Generator random(kSeed);
+    ColorSet set{"solid", {}};
+    while (set.colors.size() < count) {
+        const RGB share = uniformRGB(random, 0, 1);
+        const XYZ white = solid.white();
+        const XYZ color(share.x * white.x, share.y * white.y, share.z * white.z);
+        if (solid.gauge(color) <= 1) set.colors.push_back(color);
+    }
+    return set;
+}
+
+ColorSet cubeInSolid(std::string name, const char* space, const Frame& frame, const Solid& solid,
+                     std::size_t count) {
+    const Imath::M33d matrix = xyzFromRGB(*findColorSpace(space), frame.observer.white());
+    Generator random(kSeed);
+    ColorSet set{std::move(name), {}};
+    while (set.colors.size() < count) {
+        const XYZ color(uniformRGB(random, 0, 1) * matrix);
+        if (solid.gauge(color) <= 1) set.colors.push_back(color);
+    }
+    return set;
+}
+
+ColorSet justOutside(const Solid& solid, std::size_t count) {
+    Generator random(kSeed);
+    ColorSet set{"just outside", {}};
+    for (std::size_t i = 0; i < count; ++i) {
+        const Imath::V3d arm = boundaryColor(solid, random) - solid.center();
+        set.colors.emplace_back(solid.center() + arm * uniform(random, 1, 1.05));
+    }
+    return set;
+}
+
 }  // namespace
+
+std::vector<XYZ> colorsAtGauge(const Solid& solid, double gauge, std::size_t count) {
+    Generator random(kSeed);
+    std::vector<XYZ> colors;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Imath::V3d arm = boundaryColor(solid, random) - solid.center();
+        colors.emplace_back(solid.center() + arm * gauge);
+    }
+    return colors;
+}
+
+std::vector<ColorSet> solidSets(const Frame& frame, const Solid& solid, std::size_t count) {
+    std::vector<ColorSet> sets{uniformInSolid(solid, count)};
+    for (const double gauge : {0.9, 0.99, 0.999, 0.9999, 1.0}) {
+        sets.push_back({fmt::format("gauge {}", gauge), colorsAtGauge(solid, gauge, count)});
+    }
+    sets.push_back(cubeInSolid("Rec.2020 cube", "lin_rec2020", frame, solid, count));
+    sets.push_back(cubeInSolid("ACEScg cube", "acescg", frame, solid, count));
+    sets.push_back(justOutside(solid, count));
+    return sets;
+}
 
 std::vector<ColorSet> rgbSets(const Frame& frame, std::size_t count) {
     return {drawn("RGB cube", frame, count, [](Generator& g) { return uniformRGB(g, 0, 1); }),

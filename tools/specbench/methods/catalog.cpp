@@ -9,6 +9,7 @@
 #include "smits1999.h"
 #include "solver_method.h"
 
+#include <specbake/core/descent.h>
 #include <specbake/core/smooth.h>
 
 namespace specbake::bench {
@@ -27,12 +28,32 @@ void addSmooth(Methods& list, const Frame& frame, const std::vector<int>& grids)
     }
 }
 
+void addDescent(Methods& list, const Frame& frame, const DescentOptions& options,
+                const std::vector<int>& grids) {
+    const bool closed = options.path == DescentOptions::Path::closedForm;
+    const bool random = options.start == DescentOptions::Start::random;
+    const MethodName name{"descent", std::string(closed ? "closed form" : "straight") +
+                                         (random ? ", random" : ", flat")};
+    const auto solver = std::make_shared<const DescentSolver>(frame.observer, options);
+    add<SolverMethod>(list, name, frame, solver);
+    for (const int nodes : grids) add<GridMethod>(list, name, frame, solver, nodes);
+}
+
 }  // namespace
 
 Methods everyMethod(const std::string& data) {
     const Frame frame = sRGBFrame();
     Methods list;
     addSmooth(list, frame, {5, 9, 13, 17, 25, 33, 65});
+    using D = DescentOptions;
+    for (const auto path : {D::Path::closedForm, D::Path::straight}) {
+        for (const auto start : {D::Start::random, D::Start::flat}) {
+            D options;
+            options.path = path;
+            options.start = start;
+            addDescent(list, frame, options, {17});
+        }
+    }
     add<Jakob2019Direct>(list, frame);
     add<Jakob2019Table>(list, frame);
     add<Mallett2019>(list, frame, data + "/mallett2019.csv");
@@ -50,6 +71,11 @@ Methods oneOfEach(const std::string& data) {
     const Frame frame = sRGBFrame();
     Methods list;
     addSmooth(list, frame, {});
+    DescentOptions straight;
+    straight.path = DescentOptions::Path::straight;
+    straight.start = DescentOptions::Start::flat;
+    addDescent(list, frame, {}, {});
+    addDescent(list, frame, straight, {});
     add<Jakob2019Direct>(list, frame);
     add<Mallett2019>(list, frame, data + "/mallett2019.csv");
     add<MaxEntropy>(list, frame);

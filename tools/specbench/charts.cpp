@@ -1,0 +1,45 @@
+#include "commands.h"
+
+#include <specbake/core/error.h>
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cerrno>
+
+extern char** environ;
+
+namespace specbake::bench {
+namespace {
+
+/// Runs a program and waits for it: its exit status, or -1 if it could not be run.
+int run(const std::vector<std::string>& command) {
+    std::vector<char*> arguments;
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    pid_t child = 0;
+    if (posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) {
+        return -1;
+    }
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) return -1;
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+void runCharts(const Options& options) {
+    runSpectra(options);
+    runStability(options);
+    runScene(options);
+    runAccuracy(options);
+    // Debian's own interpreter: it is the one that has python3-matplotlib.
+    if (run({"/usr/bin/python3", SPECBENCH_PLOT, options.out, options.charts}) != 0) {
+        throw Error("the charts were not drawn (they need Debian's python3-matplotlib)");
+    }
+}
+
+}  // namespace specbake::bench

@@ -1,0 +1,111 @@
+"""The stability atlas: what happens towards the boundary, and where in the chromaticity diagram."""
+
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from plots import labels
+from plots.style import INK, color_of, mark_of, methods_of, read_rows, save
+
+PANELS = [
+    ("failed", "failed, share of colours", False),
+    ("residual p99", "99 % of residuals below, |ΔXYZ|", True),
+    ("continuity p99", "99 % of stretches below,\n|Δs| / |ΔRGB|", True),
+]
+VERDICTS = {"good": None, "missed": "#D55E00", "out of bounds": "#0072B2", "gave up": "#CC79A7"}
+FLOOR = 1e-16
+
+
+def label_of(method):
+    return f"{method[0]}, {method[1]}" if method[1] else method[0]
+
+
+def line_of(rows, method, quantity):
+    found = [(row["at"], row["value"]) for row in rows
+             if (row["family"], row["parameters"]) == method and row["quantity"] == quantity]
+    return zip(*sorted(found, reverse=True))
+
+
+def label_ends(axes, ends):
+    """ends: (y on the axes from 0 to 1, text, color); the labels stand to the right."""
+    for y, (_, text, color) in zip(labels.spread([e[0] for e in ends], 0.062), ends):
+        axes.annotate(text, (1.01, y), xycoords="axes fraction", va="center", fontsize=8,
+                      color=color)
+
+
+def draw_lines(path, folder):
+    rows = read_rows(path)
+    title = "Towards the boundary of the object-colour solid: random directions, D65"
+    figure, panels = plt.subplots(3, 1, figsize=(9, 11), sharex=True)
+    for axes, (quantity, ylabel, log) in zip(panels, PANELS):
+        axes.set_xscale("log")
+        if log:
+            axes.set_yscale("log")
+        ends = []
+        for method in methods_of(rows):
+            x, y = line_of(rows, method, quantity)
+            y = [max(v, FLOOR) if log else v for v in y]
+            axes.plot(x, y, "-", marker=mark_of(method[0]), ms=3.5, lw=1.3,
+                      color=color_of(method[0]))
+            ends.append((y[-1], label_of(method), color_of(method[0])))
+        axes.invert_xaxis() if axes is panels[0] else None
+        axes.set_ylabel(ylabel)
+        low, high = axes.get_ylim()
+        place = (lambda v: (math.log(v) - math.log(low)) / (math.log(high) - math.log(low))) \
+            if log else (lambda v: (v - low) / (high - low))
+        label_ends(axes, [(place(v), text, color) for v, text, color in ends])
+    panels[0].set_title(title, loc="left", fontsize=10)
+    panels[-1].set_xlabel("1 − gauge (log)  →  nearer to the boundary")
+    save(figure, folder / "stability.svg", title)
+
+
+def picture(points, step):
+    """An RGBA image of one method at one luminance: faint where good, coloured where not."""
+    columns, lines = round(0.75 / step) + 1, round(0.85 / step) + 1
+    image = np.zeros((lines, columns, 4))
+    for row in points:
+        i, j = round(float(row["x"]) / step), round(float(row["y"]) / step)
+        color = VERDICTS[row["verdict"]]
+        image[j, i] = (0.5, 0.5, 0.5, 0.3) if color is None else \
+            (*matplotlib_rgb(color), 1.0)
+    return image
+
+
+def matplotlib_rgb(color):
+    from matplotlib.colors import to_rgb
+    return to_rgb(color)
+
+
+def draw_map(path, folder):
+    rows = read_rows(path)
+    methods = methods_of(rows)
+    luminances = sorted({float(row["luminance"]) for row in rows})
+    xs = sorted({float(row["x"]) for row in rows})
+    step = min(b - a for a, b in zip(xs, xs[1:]))
+    title = "Where each method fails: every chromaticity that a surface can have at a luminance"
+    figure, grid = plt.subplots(len(luminances), len(methods), sharex=True, sharey=True,
+                                figsize=(1.45 * len(methods), 1.65 * len(luminances) + 0.6))
+    for axes_row, Y in zip(grid, luminances):
+        for axes, method in zip(axes_row, methods):
+            points = [row for row in rows if (row["family"], row["parameters"]) == method
+                      and float(row["luminance"]) == Y]
+            axes.imshow(picture(points, step), origin="lower", interpolation="nearest",
+                        extent=(-step / 2, 0.75 + step / 2, -step / 2, 0.85 + step / 2))
+            bad = sum(row["verdict"] != "good" for row in points) / max(1, len(points))
+            axes.text(0.98, 0.97, "none" if bad == 0 else f"{100 * bad:.2g} %", fontsize=7,
+                      ha="right", va="top", transform=axes.transAxes)
+            axes.tick_params(labelsize=6)
+            if axes_row is grid[0]:
+                axes.set_title(label_of(method).replace(" & ", " &\n").replace(", ", ",\n"),
+                               fontsize=7.5, color=color_of(method[0]))
+            if method == methods[0]:
+                axes.set_ylabel(f"Y = {Y:g}\ny", fontsize=8)
+            if axes_row is grid[-1]:
+                axes.set_xlabel("x", fontsize=8)
+    legend = [(k, v) for k, v in VERDICTS.items() if v]
+    figure.suptitle(title + "  (share of failures in each corner)", fontsize=10, x=0.08,
+                    ha="left", y=1.0)
+    for k, (name, color) in enumerate([("good", "#888888")] + legend):
+        figure.text(0.09 + 0.14 * k, 0.015, "■ " + name, color=color, fontsize=9)
+    save(figure, folder / "stability-map.svg", title)

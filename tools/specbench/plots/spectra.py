@@ -1,0 +1,42 @@
+"""Spectra of a dozen measured colours by every method, beside the measured ones."""
+
+import matplotlib.pyplot as plt
+
+from plots.style import color_of, methods_of, read_rows, save
+
+STRONG = {"measured": 2.4, "smooth": 1.8}
+
+
+def name_of(method):
+    return f"{method[0]}, {method[1]}" if method[1] not in ("", "direct") else method[0]
+
+
+def draw(path, folder):
+    rows = read_rows(path)
+    methods = methods_of(rows)
+    patches = list(dict.fromkeys(row["set"] for row in rows))
+    title = "A dozen ColorChecker patches, rebuilt from their colour under D65"
+    figure, grid = plt.subplots(4, 3, figsize=(10, 10.5), sharex=True)
+    for axes, patch in zip(grid.flat, patches):
+        for method in methods:
+            line = [(row["at"], row["value"]) for row in rows if row["set"] == patch
+                    and (row["family"], row["parameters"]) == method]
+            axes.plot(*zip(*line), color=color_of(method[0]), lw=STRONG.get(method[0], 0.9),
+                      ls=":" if method[0] == "measured" else "-",
+                      zorder=3 if method[0] in STRONG else 2)
+        for bound in (0, 1):
+            axes.axhline(bound, lw=0.6, color="#888888")
+        low, high = axes.get_ylim()
+        axes.set_ylim(max(low, -0.25), min(high, 1.25))
+        axes.set_title(patch, loc="left", fontsize=9)
+    for axes in grid[-1]:
+        axes.set_xlabel("wavelength, nm")
+    for axes in grid[:, 0]:
+        axes.set_ylabel("reflectance")
+    figure.suptitle(title, fontsize=11, x=0.07, ha="left", y=0.965)
+    for k, method in enumerate(methods):
+        dash = "┄┄ " if method[0] == "measured" else "━ "
+        figure.text(0.07 + 0.235 * (k % 4), 0.935 - 0.019 * (k // 4), dash + name_of(method),
+                    color=color_of(method[0]), fontsize=8.5,
+                    fontweight="bold" if method[0] in STRONG else "normal")
+    save(figure, folder / "spectra.svg", title)

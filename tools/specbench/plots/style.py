@@ -1,0 +1,95 @@
+"""How every chart looks: ink that follows the page, one colour and mark a family, text as text."""
+
+import csv
+import math
+
+import matplotlib
+
+matplotlib.use("agg")  # measures text; the files are SVG
+import matplotlib.pyplot as plt  # noqa: E402
+
+INK = "#010203"  # stands for the page's text colour until the file is written
+STYLE = (
+    "<style>svg{color:#24292f}@media(prefers-color-scheme:dark){svg{color:#e6edf3}}</style>"
+)
+
+# M. Okabe, K. Ito, "Color Universal Design", 2008; their black is the ink.
+FAMILIES = {
+    "smooth": ("#009E73", "o"),
+    "descent": ("#0072B2", "s"),
+    "Jakob & Hanika 2019": ("#D55E00", "^"),
+    "Mallett & Yuksel 2019": ("#CC79A7", "D"),
+    "max entropy": ("#E69F00", "v"),
+    "nearest to grey": ("#999999", "P"),
+    "Smits 1999": ("#56B4E9", "X"),
+    "Glassner 1989": (INK, "*"),
+    "measured": (INK, ""),
+}
+
+plt.rcParams.update(
+    {
+        "svg.fonttype": "none",
+        "svg.hashsalt": "specbake",  # the same figures give the same file
+        "font.family": "sans-serif",
+        "font.sans-serif": ["DejaVu Sans", "Verdana", "sans-serif"],
+        "font.size": 9,
+        "axes.edgecolor": INK,
+        "axes.labelcolor": INK,
+        "axes.titlecolor": INK,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "text.color": INK,
+        "xtick.color": INK,
+        "ytick.color": INK,
+        "grid.color": "#888888",
+        "grid.alpha": 0.25,
+        "axes.grid": True,
+        "axes.axisbelow": True,
+    }
+)
+
+
+def color_of(family):
+    return FAMILIES.get(family, (INK, "o"))[0]
+
+
+def mark_of(family):
+    return FAMILIES.get(family, (INK, "o"))[1]
+
+
+def read_rows(path):
+    """Rows as dicts; numbers where they are numbers, NaN where the measure was none."""
+    with open(path, encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    for row in rows:
+        for key in ("value", "at"):
+            if key in row:
+                row[key] = float(row[key]) if row[key] else math.nan
+    return rows
+
+
+def value(rows, method, quantity, sets=None, pick=max):
+    """The figure of a method, `pick`ed over the sets (None: all)."""
+    found = [
+        row["value"]
+        for row in rows
+        if (row["family"], row["parameters"]) == method
+        and row["quantity"] == quantity
+        and (sets is None or row["set"] in sets)
+    ]
+    return pick(found) if found else math.nan
+
+
+def methods_of(rows):
+    """(family, parameters) in the order in which they were measured."""
+    return list(dict.fromkeys((row["family"], row["parameters"]) for row in rows))
+
+
+def save(figure, path, title):
+    figure.savefig(path, transparent=True, bbox_inches="tight", pad_inches=0.1,
+                   metadata={"Date": None, "Title": title})
+    plt.close(figure)
+    text = path.read_text(encoding="utf-8").replace(INK, "currentColor")
+    start = text.index("<metadata>")
+    path.write_text(text[:start] + STYLE + "\n " + text[start:], encoding="utf-8")
+    print(path)

@@ -1,0 +1,154 @@
+#include "commands.h"
+#include "figures.h"
+#include "measures.h"
+#include "methods/grid_method.h"
+#include "methods/solver_method.h"
+#include "progress.h"
+#include "scene_bits.h"
+#include "statistics.h"
+#include "texture.h"
+
+#include <specbake/bake/bake.h>
+#include <specbake/core/ciede2000.h>
+#include <specbake/core/smooth.h>
+
+#include <filesystem>
+
+namespace specbake::bench {
+namespace {
+
+constexpr int kGrids[] = {5, 9, 13, 17, 25, 33, 65};
+
+/// Colours to try, and the texture they are from, if they are.
+struct Scene {
+    std::string name;
+    std::vector<XYZ> colors;
+    std::optional<Texture> texture;
+};
+
+std::vector<Scene> scenesOf(const Options& options, const Frame& frame) {
+    ColorSet cube = rgbSets(frame, options.colors()).front();
+    std::vector<Scene> scenes{{cube.name, std::move(cube.colors), {}}};
+    for (const std::string& path : options.textures) {
+        Texture texture = readTexture(path);
+        const std::string name = std::filesystem::path(path).stem().string();
+        std::vector<XYZ> colors;
+        for (const Imath::V3f& c : distinctColors(texture, options.colors())) {
+            colors.push_back(frame.xyz(RGB(c.x, c.y, c.z)));
+        }
+        scenes.push_back({name, std::move(colors), std::move(texture)});
+    }
+    return scenes;
+}
+
+std::vector<Spectrum> spectraOf(const Method& method, const std::vector<XYZ>& colors) {
+    std::vector<Spectrum> spectra;
+    for (const XYZ& color : colors) spectra.push_back(method.reconstruct(color).spectrum);
+    return spectra;
+}
+
+class Run {
+  public:
+    Run(const Options& options, Progress& progress)
+        : options_(options),
+          progress_(progress),
+          figures_("scene", options.full ? "specbench scene --full" : "specbench scene"),
+          frame_(sRGBFrame()),
+          solver_(std::make_shared<const SmoothSolver>(frame_.observer)),
+          scenes_(scenesOf(options, frame_)),
+          incandescent_("A") {
+        const SolverMethod direct({"smooth", "direct"}, frame_, solver_);
+        for (const Scene& scene : scenes_) direct_.push_back(spectraOf(direct, scene.colors));
+    }
+
+    void measureGrid(int nodes) {
+        GridMethod grid({"smooth", ""}, frame_, solver_, nodes);
+        progress_.next(grid.name().full());
+        const double setUp = secondsOf([&] { grid.setUp(); });
+        const double bytes = double(nodes) * nodes * nodes * kBandCount * sizeof(float);
+        for (std::size_t i = 0; i < scenes_.size(); ++i) {
+            const auto add = adder(scenes_[i], grid.name(), nodes, "nodes per axis");
+            add({"all nodes, time", setUp, "s"});
+            add({"all nodes, memory", bytes, "byte"});
+            addDeviation(direct_[i], spectraOf(grid, scenes_[i].colors), add);
+            if (scenes_[i].texture) addBake(*scenes_[i].texture, nodes, add);
+        }
+    }
+
+    void measureBits(int bits) {
+        const MethodName name{"smooth", "half"};
+        progress_.next(std::to_string(bits) + " bits");
+        for (std::size_t i = 0; i < scenes_.size(); ++i) {
+            const auto add = adder(scenes_[i], name, bits, "mantissa bits");
+            std::vector<Spectrum> rounded = direct_[i];
+            for (Spectrum& s : rounded) s = roundedToBits(s, bits);
+            addDeviation(direct_[i], rounded, add);
+            if (!scenes_[i].texture) continue;
+            GridMethod grid({"smooth", ""}, frame_, solver_, 17);
+            grid.setUp();
+            const double bytes = packedBytes(*scenes_[i].texture, grid, bits);
+            add({"file", bytes / double(scenes_[i].texture->texels.size()), "byte per texel"});
+        }
+    }
+
+    void write() const { figures_.write(options_.out); }
+
+  private:
+    using Adder = std::function<void(const Measure&)>;
+
+    Adder adder(const Scene& scene, const MethodName& name, int at, const char* unit) {
+        return [this, set = scene.name, name, at, unit](const Measure& m) {
+            figures_.add({set, name, m.quantity, m.value, m.unit, double(at), unit});
+        };
+    }
+
+    void addDeviation(const std::vector<Spectrum>& from, const std::vector<Spectrum>& to,
+                      const Adder& add) const {
+        std::vector<double> rms, most, deltaE;
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            rms.push_back(rmsDifference(from[i], to[i]));
+            most.push_back(maxDifference(from[i], to[i]));
+            const XYZ& white = incandescent_.white();
+            deltaE.push_back(ciede2000(labFromXYZ(incandescent_.color(from[i]), white),
+                                       labFromXYZ(incandescent_.color(to[i]), white)));
+        }
+        add({"deviation mean RMS", mean(rms), "reflectance"});
+        add({"deviation max", largest(most), "reflectance"});
+        add({"under A mean", mean(deltaE), "CIEDE2000"});
+        add({"under A p99", quantile(deltaE, 0.99), "CIEDE2000"});
+        add({"under A max", largest(deltaE), "CIEDE2000"});
+    }
+
+    /// The whole program on the texture: half, ZIP, all cores, wall time.
+    void addBake(const Texture& texture, int nodes, const Adder& add) const {
+        const std::filesystem::path file = std::filesystem::path(options_.out) / "scene.exr";
+        BakeOptions bakeOptions;
+        bakeOptions.grid = nodes;
+        const BakeStatistics statistics = bake(texture.path, file, bakeOptions);
+        add({"bake", statistics.seconds, "s"});
+        add({"nodes solved", double(statistics.nodesSolved), "1"});
+        std::filesystem::remove(file);
+    }
+
+    const Options& options_;
+    Progress& progress_;
+    Figures figures_;
+    Frame frame_;
+    std::shared_ptr<const Solver> solver_;
+    std::vector<Scene> scenes_;
+    Observer incandescent_;
+    std::vector<std::vector<Spectrum>> direct_;  ///< by scene
+};
+
+}  // namespace
+
+void runScene(const Options& options) {
+    std::filesystem::create_directories(options.out);
+    Progress progress(std::size(kGrids) + kHalfBits - kFewestBits + 1);
+    Run run(options, progress);
+    for (const int nodes : kGrids) run.measureGrid(nodes);
+    for (int bits = kFewestBits; bits <= kHalfBits; ++bits) run.measureBits(bits);
+    run.write();
+}
+
+}  // namespace specbake::bench
