@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace specbake {
 namespace {
@@ -14,19 +15,22 @@ namespace {
 /// One descent from one start.
 class Descent {
   public:
-    Descent(const Observer& observer, const XYZ& color, const Spectrum& start)
-        : observer_(observer), color_(color), s_(start) {
+    Descent(const Observer& observer, const XYZ& color, const Spectrum& start,
+            const DescentOptions& options)
+        : observer_(observer), color_(color), options_(options), s_(start) {
         residual_ = observer_.color(s_) - color_;
     }
 
     template <class Path>
-    Solution run(double tolerance) {
-        while (!(largest(residual_) <= tolerance) && advance<Path>()) ++segments_;
+    Solution run() {
+        while (!(largest(residual_) <= options_.tolerance) && (advance<Path>() || release())) {
+            ++segments_;
+        }
         SolveReport report;
         report.iterations = segments_;
         report.hits = int(s_.size() - free_.size());
         report.residual = largest(residual_);
-        if (report.residual <= tolerance) {
+        if (report.residual <= options_.tolerance) {
             report.status = SolveReport::Status::solved;
             report.residual = polish(observer_, color_, s_);
         }
@@ -38,7 +42,7 @@ class Descent {
     /// failed: too few components are left, or the limit is not nearer to the colour.
     template <class Path>
     bool advance() {
-        if (free_.size() < 3) return false;
+        if (free_.size() < fewest()) return false;
         const Path path(observer_.weights(), free_, s_, residual_);
         if (fixOutward(path)) return true;
         const std::optional<Hit> hit = path.firstHit();
@@ -50,6 +54,24 @@ class Descent {
         const double before = largest(residual_);
         residual_ = observer_.color(s_) - color_;
         return hit || largest(residual_) <= before / 2;
+    }
+
+    /// The paper gives up below three components. Fewer may still do where others can be freed.
+    std::size_t fewest() const { return options_.bound == DescentOptions::Bound::kept ? 3 : 1; }
+
+    /// Where the start is stuck: frees the components at a bound that the gradient pushes inward.
+    /// False where there are none, where nothing was gained since the last time, and where bounds
+    /// are kept.
+    bool release() {
+        if (options_.bound == DescentOptions::Bound::kept) return false;
+        if (!(residual_.length() < residualAtRelease_)) return false;
+        residualAtRelease_ = residual_.length();
+        free_ = FreeSet();
+        free_.removeIf([&](std::size_t m) {
+            const double v = -observer_.weights()[m].dot(residual_);
+            return (s_[m] == 0 && v <= 0) || (s_[m] == 1 && v >= 0);
+        });
+        return true;
     }
 
     /// Fixes the components that are at a bound and would leave the box at once.
@@ -72,19 +94,20 @@ class Descent {
     }
 
     const Observer& observer_;
-    XYZ color_;
+    const XYZ& color_;
+    const DescentOptions& options_;
     Spectrum s_;
     FreeSet free_;
     Imath::V3d residual_;
+    double residualAtRelease_ = std::numeric_limits<double>::infinity();
     int segments_ = 0;
 };
 
 Solution descend(const Observer& observer, const XYZ& color, const Spectrum& start,
                  const DescentOptions& options) {
-    Descent descent(observer, color, start);
-    return options.path == DescentOptions::Path::closedForm
-               ? descent.run<FlowPath>(options.tolerance)
-               : descent.run<StraightPath>(options.tolerance);
+    Descent descent(observer, color, start, options);
+    return options.path == DescentOptions::Path::closedForm ? descent.run<FlowPath>()
+                                                            : descent.run<StraightPath>();
 }
 
 bool isFinite(const XYZ& color) {

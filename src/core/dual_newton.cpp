@@ -48,16 +48,19 @@ class Dual {
     const XYZ& color_;
 };
 
+/// A mode with a millionth of the gradient waits for the others, lest rounding be taken for it.
+double negligibleSlope(const Imath::V3d& gradient) {
+    return std::max(kRounding / 2, 1e-6 * gradient.length());
+}
+
 /// -H^-1 gradient, no farther than `reach` along each mode: where no free component responds, H is
-/// 0 or rounding, and a longer step would drown the other modes in the line search. A mode that
-/// holds a millionth of the gradient waits for the others, lest rounding be taken for it.
+/// 0 or rounding, and a longer step would drown the other modes.
 Imath::V3d newtonStep(const FaceModes& curvature, const Imath::V3d& gradient, double reach) {
-    const double negligible = std::max(kRounding / 2, 1e-6 * gradient.length());
     Imath::V3d step(0.0);
     for (unsigned k = 0; k < 3; ++k) {
         const double slope = curvature.vectors[k].dot(gradient);
         const double rate = curvature.rates[int(k)];
-        if (std::abs(slope) <= negligible) continue;
+        if (std::abs(slope) <= negligibleSlope(gradient)) continue;
         const double length = std::abs(slope) < reach * rate ? std::abs(slope) / rate : reach;
         step -= std::copysign(length, slope) * curvature.vectors[k];
     }
@@ -109,13 +112,27 @@ double lineMinimum(const Dual& dual, const Spectrum& p, const Imath::V3d& direct
     return length;
 }
 
-/// The full step where it does well, as it does near the solution; else the exact minimum.
-double stepLength(const Dual& dual, const Spectrum& p, const Imath::V3d& gradient,
-                  const Imath::V3d& direction) {
-    const double before = gradient.dot(direction);
-    const double after = dual.gradient(dual.moved(p, direction)).dot(direction);
-    if (std::abs(after) <= 0.5 * std::abs(before)) return 1;
-    return lineMinimum(dual, p, direction, before);
+/// A point of the iteration: mu, and p = s0 + W^T mu. p is carried along, not computed from mu:
+/// near the boundary mu is large, and a step too small to change mu still has to change p.
+struct Iterate {
+    Imath::V3d mu;
+    Spectrum p;
+
+    void move(const Dual& dual, const Imath::V3d& step) {
+        mu += step;
+        p = dual.moved(p, step);
+    }
+};
+
+/// True where the full step leaves at most a tenth of the slope along it, as it does near the
+/// solution; the step is then taken.
+bool takeFullStep(const Dual& dual, Iterate& at, const Imath::V3d& gradient,
+                  const Imath::V3d& step) {
+    const Spectrum p = dual.moved(at.p, step);
+    if (!(std::abs(dual.gradient(p).dot(step)) <= 0.1 * std::abs(gradient.dot(step)))) return false;
+    at.mu += step;
+    at.p = p;
+    return true;
 }
 
 }  // namespace
@@ -123,24 +140,20 @@ double stepLength(const Dual& dual, const Spectrum& p, const Imath::V3d& gradien
 NearestReflectance nearestReflectance(const Observer& observer, const XYZ& color,
                                       const Spectrum& start, int maxIterations) {
     const Dual dual(observer, color);
-    NearestReflectance result;
-    Imath::V3d& mu = result.multiplier;
-    mu = Imath::V3d(0.0);
-    // p is carried along, not computed from mu: near the boundary mu is large, and a step too
-    // small to change mu still has to change p.
-    Spectrum p = start;
-    for (; result.iterations < maxIterations; ++result.iterations) {
-        const Imath::V3d gradient = dual.gradient(p);
+    Iterate at{Imath::V3d(0.0), start};
+    int iterations = 0;
+    for (; iterations < maxIterations; ++iterations) {
+        const Imath::V3d gradient = dual.gradient(at.p);
         if (largest(gradient) <= kRounding) break;
-        const double reach = 10 * (mu.length() + 1 / observer.white().length());
-        const Imath::V3d direction = newtonStep(dual.curvature(p), gradient, reach);
-        const Imath::V3d step = stepLength(dual, p, gradient, direction) * direction;
-        mu += step;
-        p = dual.moved(p, step);
+        const FaceModes curvature = dual.curvature(at.p);
+        const double reach = 10 * (at.mu.length() + 1 / observer.white().length());
+        const Imath::V3d step = newtonStep(curvature, gradient, reach);
+        if (takeFullStep(dual, at, gradient, step)) continue;
+        at.move(dual, lineMinimum(dual, at.p, step, gradient.dot(step)) * step);
     }
-    result.spectrum = Dual::clamped(p);
-    result.residual = polish(observer, color, result.spectrum);
-    return result;
+    Spectrum spectrum = Dual::clamped(at.p);
+    const double residual = polish(observer, color, spectrum);
+    return {spectrum, at.mu, residual, iterations};
 }
 
 DualNewtonSolver::DualNewtonSolver(const Observer& observer, const DualNewtonOptions& options)

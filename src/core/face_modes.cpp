@@ -3,23 +3,31 @@
 #include <Imath/ImathMatrix.h>
 #include <Imath/ImathMatrixAlgo.h>
 
-#include <algorithm>
+#include <cmath>
 
 namespace specbake {
 namespace {
 
-Imath::M33d gramMatrix(const Weights& weights, const FreeSet& free) {
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-    for (const std::size_t m : free) {
-        const Imath::V3d& w = weights[m];
-        xx += w.x * w.x;
-        xy += w.x * w.y;
-        xz += w.x * w.z;
-        yy += w.y * w.y;
-        yz += w.y * w.z;
-        zz += w.z * w.z;
+/// R of the QR decomposition of the free rows of W^T (n x 3) by modified Gram-Schmidt: G = R^T R.
+/// R keeps the small singular values that forming G would round away.
+Imath::M33d triangularFactor(const Weights& weights, const FreeSet& free) {
+    std::array<Imath::V3d, kBandCount> rows;
+    std::size_t count = 0;
+    for (const std::size_t m : free) rows[count++] = weights[m];
+    Imath::M33d R(0.0);
+    for (int j = 0; j < 3; ++j) {
+        Imath::V3d products(0.0);
+        for (std::size_t i = 0; i < count; ++i) products += rows[i] * rows[i][j];
+        const double length = std::sqrt(products[j]);
+        if (length == 0) continue;
+        R[j][j] = length;
+        for (int k = j + 1; k < 3; ++k) {
+            R[j][k] = products[k] / length;
+            const double share = products[k] / products[j];
+            for (std::size_t i = 0; i < count; ++i) rows[i][k] -= share * rows[i][j];
+        }
     }
-    return {xx, xy, xz, xy, yy, yz, xz, yz, zz};
+    return R;
 }
 
 }  // namespace
@@ -34,17 +42,15 @@ Imath::V3d FaceModes::solve(const Imath::V3d& residual) const {
 }
 
 FaceModes faceModes(const Weights& weights, const FreeSet& free) {
-    Imath::M33d gram = gramMatrix(weights, free);
-    Imath::M33d columns;
-    Imath::V3d values;
-    Imath::jacobiEigenSolver(gram, values, columns);
-    std::array<int, 3> order = {0, 1, 2};
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return values[a] < values[b]; });
+    Imath::M33d U;
+    Imath::V3d singular;  // descending
+    Imath::M33d V;
+    Imath::jacobiSVD(triangularFactor(weights, free), U, singular, V);
     FaceModes modes;
     for (unsigned k = 0; k < 3; ++k) {
-        const int column = order[k];
-        modes.rates[int(k)] = std::max(values[column], 0.0);
-        modes.vectors[k] = {columns[0][column], columns[1][column], columns[2][column]};
+        const int column = 2 - int(k);
+        modes.rates[int(k)] = singular[column] * singular[column];
+        modes.vectors[k] = {V[0][column], V[1][column], V[2][column]};
     }
     return modes;
 }

@@ -16,8 +16,9 @@ struct FaceModes {
     Imath::V3d rates;                   ///< eigenvalues, ascending, >= 0
     std::array<Imath::V3d, 3> vectors;  ///< orthonormal, in the same order
 
-    /// Rates up to this are rounding errors of the sums: the face does not reach that direction.
-    double cutoff() const { return 1e-14 * rates.z; }
+    /// Rates up to this are rounding errors (the singular values of W P, whose squares they are,
+    /// are exact to a few eps of the largest): the face does not reach that direction.
+    double cutoff() const { return 1e-14 * 1e-14 * rates.z; }
 
     /// G^-1 r, without the directions that the face does not reach: the least-norm correction
     /// of the free components is then -w_m . (G^-1 r).

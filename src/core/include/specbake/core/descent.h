@@ -15,7 +15,13 @@ struct DescentOptions {
         random,  ///< uniform in the box, as the paper has it
         flat     ///< first the constant Y, so that greys are flat; random after that
     };
+    /// What becomes of a component that has reached a bound.
+    enum class Bound {
+        kept,     ///< it stays there for the rest of the start, as the paper has it
+        released  ///< a start that is stuck frees what the gradient pushes inward, and goes on
+    };
     Path path = Path::closedForm;
+    Bound bound = Bound::kept;
     Start start = Start::random;
     int maxStarts = 100;      ///< at least 1
     double tolerance = 1e-9;  ///< of max |W s - t|; > 0. Results are usually at rounding, 1e-15.
