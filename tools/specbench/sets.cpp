@@ -67,7 +67,8 @@ ColorSet lattice(const Frame& frame, std::size_t count) {
 XYZ boundaryColor(const Solid& solid, Generator& random) {
     const XYZ white = solid.white();
     const RGB share = uniformRGB(random, 0, 1);
-    return solid.exit(XYZ(share.x * white.x, share.y * white.y, share.z * white.z)).color;
+    const XYZ inBox(share.x * white.x, share.y * white.y, share.z * white.z);
+    return XYZ(solid.center() + (inBox - solid.center()) / solid.gauge(inBox));
 }
 
 ColorSet uniformInSolid(const Solid& solid, std::size_t count) {

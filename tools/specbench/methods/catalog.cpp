@@ -10,6 +10,7 @@
 #include "solver_method.h"
 
 #include <specbake/core/descent.h>
+#include <specbake/core/dual_newton.h>
 #include <specbake/core/smooth.h>
 
 namespace specbake::bench {
@@ -32,11 +33,33 @@ void addDescent(Methods& list, const Frame& frame, const DescentOptions& options
                 const std::vector<int>& grids) {
     const bool closed = options.path == DescentOptions::Path::closedForm;
     const bool random = options.start == DescentOptions::Start::random;
+    const bool kept = options.bound == DescentOptions::Bound::kept;
     const MethodName name{"descent", std::string(closed ? "closed form" : "straight") +
-                                         (random ? ", random" : ", flat")};
+                                         (random ? ", random" : ", flat") +
+                                         (kept ? "" : ", released")};
     const auto solver = std::make_shared<const DescentSolver>(frame.observer, options);
     add<SolverMethod>(list, name, frame, solver);
     for (const int nodes : grids) add<GridMethod>(list, name, frame, solver, nodes);
+}
+
+/// The paper's path and the straight one from both starts, and the paper's with bounds released.
+std::vector<DescentOptions> descentSettings() {
+    using D = DescentOptions;
+    std::vector<D> settings;
+    for (const auto path : {D::Path::closedForm, D::Path::straight}) {
+        for (const auto start : {D::Start::random, D::Start::flat}) {
+            settings.emplace_back();
+            settings.back().path = path;
+            settings.back().start = start;
+        }
+    }
+    settings.emplace_back().bound = D::Bound::released;
+    return settings;
+}
+
+void addDualNewton(Methods& list, const Frame& frame) {
+    add<SolverMethod>(list, MethodName{"dual Newton", "nearest to Y"}, frame,
+                      std::make_shared<const DualNewtonSolver>(frame.observer));
 }
 
 }  // namespace
@@ -45,15 +68,10 @@ Methods everyMethod(const std::string& data) {
     const Frame frame = sRGBFrame();
     Methods list;
     addSmooth(list, frame, {5, 9, 13, 17, 25, 33, 65});
-    using D = DescentOptions;
-    for (const auto path : {D::Path::closedForm, D::Path::straight}) {
-        for (const auto start : {D::Start::random, D::Start::flat}) {
-            D options;
-            options.path = path;
-            options.start = start;
-            addDescent(list, frame, options, {17});
-        }
+    for (const DescentOptions& options : descentSettings()) {
+        addDescent(list, frame, options, {17});
     }
+    addDualNewton(list, frame);
     add<Jakob2019Direct>(list, frame);
     add<Jakob2019Table>(list, frame);
     add<Mallett2019>(list, frame, data + "/mallett2019.csv");
@@ -71,11 +89,12 @@ Methods oneOfEach(const std::string& data) {
     const Frame frame = sRGBFrame();
     Methods list;
     addSmooth(list, frame, {});
-    DescentOptions straight;
-    straight.path = DescentOptions::Path::straight;
-    straight.start = DescentOptions::Start::flat;
-    addDescent(list, frame, {}, {});
-    addDescent(list, frame, straight, {});
+    for (const DescentOptions& options : descentSettings()) {
+        const bool random = options.start == DescentOptions::Start::random;
+        const bool paper = options.path == DescentOptions::Path::closedForm;
+        if (random == paper) addDescent(list, frame, options, {});
+    }
+    addDualNewton(list, frame);
     add<Jakob2019Direct>(list, frame);
     add<Mallett2019>(list, frame, data + "/mallett2019.csv");
     add<MaxEntropy>(list, frame);

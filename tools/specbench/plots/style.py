@@ -17,6 +17,7 @@ STYLE = (
 FAMILIES = {
     "smooth": ("#009E73", "o"),
     "descent": ("#0072B2", "s"),
+    "dual Newton": ("#8C6BB1", "p"),
     "Jakob & Hanika 2019": ("#D55E00", "^"),
     "Mallett & Yuksel 2019": ("#CC79A7", "D"),
     "max entropy": ("#E69F00", "v"),
