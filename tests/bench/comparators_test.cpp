@@ -92,13 +92,11 @@ TEST_CASE("Glassner: Fourier terms leave [0, 1] inside sRGB, boxes only in a wid
         const auto leaves = [&](const XYZ& c) {
             return boundsViolation(method.reconstruct(c).spectrum) > 0;
         };
-        const auto count = std::ranges::count_if(colors, leaves);
-        MESSAGE(method.name().full(), " leaves [0, 1] for ", count, " of 5000, ", space);
-        return count;
+        return std::ranges::count_if(colors, leaves);
     };
     const auto fourier = outside("lin_rec709", F::fourier);
-    CHECK(fourier > 1000);
-    CHECK(fourier < 4000);
+    CHECK(fourier > 5000 / 3);  // about half
+    CHECK(fourier < 5000 * 2 / 3);
     CHECK(outside("lin_rec709", F::boxes) == 0);
     CHECK(outside("lin_rec2020", F::boxes) > 500);
 }
@@ -135,7 +133,8 @@ TEST_CASE("Smits: nearer to the colour under his own white than under D65") {
     his.setUp();
     ours.setUp();
     const double own = worstMiss(his, 2000), used = worstMiss(ours, 2000);
-    MESSAGE("Smits, max |XYZ|: ", own, " in his frame, ", used, " in sRGB under D65");
+    // His spectra are printed to four decimals and his phosphors to two.
+    CHECK(own < 5e-3);
     CHECK(own < used);
 }
 

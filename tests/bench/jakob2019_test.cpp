@@ -73,8 +73,7 @@ TEST_CASE("Jakob & Hanika, table: exact at nodes, nearer between them with more 
                                          miss(method, color, method.reconstruct(color).spectrum));
         }
     }
-    MESSAGE("largest |XYZ| with 9 and 17 nodes: ", worst[0], ", ", worst[1]);
-    CHECK(worst[1] < worst[0]);
+    CHECK(worst[1] < worst[0] / 3);  // trilinear: a quarter, where the fits are smooth
 }
 
 TEST_CASE("Jakob & Hanika, table: the texel path agrees with the double path, black included") {

@@ -69,12 +69,7 @@ class Run {
     }
 
     void addRoundTrip(const Method& method) {
-        const Solid solid(method.frame().observer);
-        std::vector<ColorSet> sets = rgbSets(method.frame(), options_.colors());
-        for (ColorSet& set : solidSets(method.frame(), solid, options_.colors())) {
-            sets.push_back(std::move(set));
-        }
-        for (const ColorSet& set : sets) {
+        for (const ColorSet& set : setsFor(method)) {
             for (const Measure& m : measureRoundTrip(method, set)) add(method, set.name, m);
             const auto ratios = continuity(method, set.colors, kContinuityDistance);
             add(method, set.name, {"continuity median", median(ratios), "reflectance per RGB"});
@@ -82,6 +77,16 @@ class Run {
                 {"continuity p99.9", quantile(ratios, 0.999), "reflectance per RGB"});
             add(method, set.name, {"continuity max", largest(ratios), "reflectance per RGB"});
         }
+    }
+
+    std::vector<ColorSet> setsFor(const Method& method) const {
+        std::vector<ColorSet> sets = rgbSets(method.frame(), options_.colors());
+        if (method.cubeOnly()) return sets;
+        const Solid solid(method.frame().observer);
+        for (ColorSet& set : solidSets(method.frame(), solid, options_.solidColors())) {
+            sets.push_back(std::move(set));
+        }
+        return sets;
     }
 
     void addNature(const Method& method) {

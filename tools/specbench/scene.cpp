@@ -1,5 +1,6 @@
 #include "commands.h"
 #include "figures.h"
+#include "half_bits.h"
 #include "measures.h"
 #include "methods/grid_method.h"
 #include "methods/solver_method.h"
@@ -18,6 +19,7 @@ namespace specbake::bench {
 namespace {
 
 constexpr int kGrids[] = {5, 9, 13, 17, 25, 33, 65};
+constexpr int kFewestBits = 4;
 
 /// Colours to try, and the texture they are from, if they are.
 struct Scene {

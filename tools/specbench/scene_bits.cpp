@@ -1,31 +1,15 @@
 #include "scene_bits.h"
 
+#include "half_bits.h"
+
 #include <specbake/image/spectral_writer.h>
 
-#include <Imath/half.h>
-
-#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <vector>
 
 namespace specbake::bench {
 namespace {
-
-/// Adds half a unit of the last kept bit, ties to even, and clears the bits below: on the bit
-/// pattern, since a carry into the exponent is right there.
-std::uint16_t rounded(std::uint16_t pattern, int bits) {
-    const int dropped = kHalfBits - bits;
-    if (dropped == 0) return pattern;
-    const unsigned half = 1U << (dropped - 1);
-    const unsigned odd = (pattern >> dropped) & 1U;
-    const unsigned up = pattern + half - 1 + odd;
-    return static_cast<std::uint16_t>(up >> dropped << dropped);
-}
-
-std::uint16_t halfPattern(double value, int bits) {
-    return rounded(Imath::half(static_cast<float>(value)).bits(), bits);
-}
 
 /// One chunk's samples: row by row, channel by channel; the preview is the texel's own RGB.
 std::vector<std::byte> chunkSamples(const Texture& texture, const Method& method, int firstRow,
@@ -54,16 +38,6 @@ std::vector<std::byte> chunkSamples(const Texture& texture, const Method& method
 }
 
 }  // namespace
-
-Spectrum roundedToBits(const Spectrum& s, int bits) {
-    Spectrum result;
-    std::ranges::transform(s, result.begin(), [bits](double value) {
-        Imath::half half;
-        half.setBits(halfPattern(value, bits));
-        return double(float(half));
-    });
-    return result;
-}
 
 double packedBytes(const Texture& texture, const Method& method, int bits) {
     const Window window{0, 0, texture.width, texture.height};

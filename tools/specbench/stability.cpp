@@ -101,7 +101,7 @@ void runStability(const Options& options) {
         progress.next(method->name().full());
         method->setUp();
         for (double exponent = 0.5; exponent <= -std::log10(kNearest); exponent += 0.5) {
-            measureAt(*method, solid, std::pow(10, -exponent), options.full ? 5000 : 400, figures);
+            measureAt(*method, solid, std::pow(10, -exponent), options.full ? 5000 : 250, figures);
         }
     }
     figures.write(options.out);

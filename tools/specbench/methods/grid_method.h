@@ -25,6 +25,7 @@ class GridMethod : public Method {
     GridMethod(MethodName solver, Frame frame, std::shared_ptr<const Solver> direct, int nodes);
 
     void setUp() override;
+    bool cubeOnly() const override { return true; }  // outside, it is the solver
     Reconstruction reconstruct(const XYZ& color) const override;
     void reconstructTexels(std::span<const Imath::V3f> rgb,
                            std::span<float> spectra) const override;

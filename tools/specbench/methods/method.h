@@ -44,6 +44,9 @@ class Method {
     /// Builds the tables that the method needs once. Timed apart from the texels.
     virtual void setUp() {}
 
+    /// Whether it is of interest inside the frame's RGB cube only.
+    virtual bool cubeOnly() const { return false; }
+
     /// One colour. Not before setUp().
     virtual Reconstruction reconstruct(const XYZ& color) const = 0;
 
