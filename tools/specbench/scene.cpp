@@ -58,7 +58,9 @@ class Run {
           frame_(sRGBFrame()),
           solver_(std::make_shared<const SmoothSolver>(frame_.observer)),
           scenes_(scenesOf(options, frame_)),
-          incandescent_("A") {
+          incandescent_("A"),
+          standard_({"smooth", ""}, frame_, solver_, BakeOptions().grid) {
+        standard_.setUp();
         const SolverMethod direct({"smooth", "direct"}, frame_, solver_);
         for (const Scene& scene : scenes_) direct_.push_back(spectraOf(direct, scene.colors));
     }
@@ -86,9 +88,7 @@ class Run {
             for (Spectrum& s : rounded) s = roundedToBits(s, bits);
             addDeviation(direct_[i], rounded, add);
             if (!scenes_[i].texture) continue;
-            GridMethod grid({"smooth", ""}, frame_, solver_, 17);
-            grid.setUp();
-            const double bytes = packedBytes(*scenes_[i].texture, grid, bits);
+            const double bytes = packedBytes(*scenes_[i].texture, standard_, bits);
             add({"file", bytes / double(scenes_[i].texture->texels.size()), "byte per texel"});
         }
     }
@@ -139,6 +139,7 @@ class Run {
     std::shared_ptr<const Solver> solver_;
     std::vector<Scene> scenes_;
     Observer incandescent_;
+    GridMethod standard_;  ///< with the nodes that `specbake bake` takes unless told otherwise
     std::vector<std::vector<Spectrum>> direct_;  ///< by scene
 };
 
