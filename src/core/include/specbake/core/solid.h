@@ -39,6 +39,10 @@ class Solid {
     /// terms, so 81u |c|/ρ. |d| <= r |c|.
     double gaugeError() const;
 
+    /// Whether a colour lies in the solid, its boundary included: to the gauge's rounding, so that
+    /// black and white are inside.
+    bool contains(const XYZ& color) const { return gauge(color) <= 1 + gaugeError(); }
+
     /// Where the ray from the centre through a colour leaves the solid.
     struct Exit {
         double gauge = 0;
