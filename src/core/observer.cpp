@@ -1,7 +1,7 @@
+#include "tables.h"
+
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
-
-#include "tables.h"
 
 #include <algorithm>
 

@@ -1,21 +1,22 @@
+#include "support/csv.h"
+
 #include <specbake/core/ciede2000.h>
 #include <specbake/core/color.h>
 #include <specbake/core/error.h>
 
-#include "support/csv.h"
-
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
-#include <algorithm>
 
 using namespace specbake;
 using specbake::testing::readCsv;
 
 TEST_CASE("CIEDE2000 gives the published 34 differences, both ways round") {
     for (const auto& row : readCsv("tests/data/ciede2000_sharma_34.csv")) {
-        if (row[0] == "14") continue;  // on the tie of a 180-degree hue difference: rounding decides
+        if (row[0] == "14")
+            continue;  // on the tie of a 180-degree hue difference: rounding decides
         const Lab a{std::stod(row[1]), std::stod(row[2]), std::stod(row[3])};
         const Lab b{std::stod(row[4]), std::stod(row[5]), std::stod(row[6])};
         CAPTURE(row[0]);
@@ -26,11 +27,14 @@ TEST_CASE("CIEDE2000 gives the published 34 differences, both ways round") {
 }
 
 TEST_CASE("matrices agree with the published ones where the white is the published one") {
-    const std::pair<const char*, const char*> names[] = {
-        {"sRGB / Rec709", "lin_rec709"},     {"Rec2020", "lin_rec2020"},
-        {"ACEScg AP1", "acescg"},            {"ACES2065-1 AP0", "aces2065-1"},
-        {"DCI-P3", "lin_dcip3"},             {"Display P3 / P3-D65", "lin_displayp3"},
-        {"Adobe RGB (1998)", "lin_adobergb"}, {"ProPhoto / ROMM", "prophoto"}};
+    const std::pair<const char*, const char*> names[] = {{"sRGB / Rec709", "lin_rec709"},
+                                                         {"Rec2020", "lin_rec2020"},
+                                                         {"ACEScg AP1", "acescg"},
+                                                         {"ACES2065-1 AP0", "aces2065-1"},
+                                                         {"DCI-P3", "lin_dcip3"},
+                                                         {"Display P3 / P3-D65", "lin_displayp3"},
+                                                         {"Adobe RGB (1998)", "lin_adobergb"},
+                                                         {"ProPhoto / ROMM", "prophoto"}};
     const auto rows = readCsv("tests/data/rgb_matrices.csv");
     for (const auto& [published, name] : names) {
         CAPTURE(name);

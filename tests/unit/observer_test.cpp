@@ -1,7 +1,7 @@
+#include "support/csv.h"
+
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
-
-#include "support/csv.h"
 
 #include <doctest/doctest.h>
 

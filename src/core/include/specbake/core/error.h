@@ -28,4 +28,10 @@ class FileError : public Error {
     std::string file_;
 };
 
+/// Work that its caller stopped.
+class Cancelled : public Error {
+  public:
+    Cancelled() : Error("stopped") {}
+};
+
 }  // namespace specbake

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "texel_census.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace specbake {
+
+/// A run of rows on its way through the pipeline: whole chunks of the file.
+struct Band {
+    int firstRow = 0;
+    int rows = 0;
+    int firstChunk = 0;
+    std::vector<std::byte> stored;               ///< as the texture holds them
+    std::vector<std::vector<std::byte>> packed;  ///< chunk by chunk, as the file will
+    TexelCensus census;
+};
+
+}  // namespace specbake

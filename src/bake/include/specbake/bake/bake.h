@@ -1,0 +1,44 @@
+#pragma once
+
+#include <specbake/core/color.h>
+#include <specbake/image/spectral_layout.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace specbake {
+
+/// How a texture is baked. The defaults are those of `specbake bake`.
+struct BakeOptions {
+    std::optional<std::string> space;       ///< of colorSpaces(); none: what the file says
+    std::optional<std::string> illuminant;  ///< of illuminantNames(); none: the space's own white
+    int grid = 17;                          ///< nodes an axis, GridAxis::kFewestNodes to kMostNodes
+    StorageOptions storage;
+    int threads = 0;                       ///< 0: all cores
+    std::stop_token stop;                  ///< when stopped, bake() throws Cancelled
+    std::function<void(double)> progress;  ///< called with 0 to 1, from one thread at a time
+};
+
+/// What was done, for `--stats` and `-v`.
+struct BakeStatistics {
+    std::string space;
+    std::string illuminant;
+    std::size_t texels = 0;
+    std::size_t directTexels = 0;  ///< solved one by one, not through the grid
+    std::size_t nodesSolved = 0;
+    double seconds = 0;
+    std::vector<std::string> notes;  ///< of the texture: what of the file was not used
+};
+
+/// The texture `input` to the spectral image `output`, which appears whole or not at all.
+/// The bytes of the output depend on the input and the options but not on the threads.
+/// Throws FileError, ArgumentError, ColorError, Cancelled.
+BakeStatistics bake(const std::string& input, const std::filesystem::path& output,
+                    const BakeOptions& options);
+
+}  // namespace specbake

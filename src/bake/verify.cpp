@@ -1,0 +1,176 @@
+#include "pipeline.h"
+
+#include <specbake/bake/verify.h>
+#include <specbake/core/ciede2000.h>
+#include <specbake/core/error.h>
+#include <specbake/core/observer.h>
+#include <specbake/image/spectral_reader.h>
+#include <specbake/image/texture_reader.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+namespace specbake {
+namespace {
+
+/// How many differences fall where, so that a percentile needs no list of all texels.
+class Histogram {
+  public:
+    void add(double value) {
+        const double bin = std::min(std::ceil(value / kWidth), double(kBins - 1));
+        count_[std::size_t(bin)].fetch_add(1, std::memory_order_relaxed);
+    }
+    /// The upper end of the bin in which that share of the values is reached.
+    double percentile(double share, std::size_t total) const {
+        std::size_t below = 0;
+        for (std::size_t i = 0; i < kBins; ++i) {
+            below += count_[i];
+            if (double(below) >= share * double(total)) return double(i) * kWidth;
+        }
+        return 0;
+    }
+
+  private:
+    static constexpr double kWidth = 1e-4;
+    static constexpr std::size_t kBins = 200'000;  ///< beyond a difference of 20 none is told apart
+    std::vector<std::atomic<std::size_t>> count_ = std::vector<std::atomic<std::size_t>>(kBins);
+};
+
+double largestComponent(const Imath::V3d& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// Rows of both files on their way through the pipeline, and what was found in them.
+struct Rows {
+    std::vector<float> samples;
+    std::vector<std::byte> texture;
+    double sumDE2000 = 0;
+    std::size_t worstTexel = 0;
+    Verification found;
+};
+
+class Comparison {
+  public:
+    Comparison(const std::string& spectral, const std::string& texture,
+               const VerifyOptions& options)
+        : spectral_(spectral),
+          texture_(texture),
+          space_(spaceOf(options)),
+          observer_(options.illuminant.value_or(
+              spectral_.text("specbake:illuminant").value_or(space_.illuminant))),
+          xyzFromTexel_(xyzFromRGB(space_, observer_.white())),
+          decoder_(texture_.info(), space_) {
+        if (spectral_.header().data.width != width() ||
+            spectral_.header().data.height != height()) {
+            throw FileError(spectral, "not of the size of " + texture);
+        }
+    }
+
+    Verification run(int threads) {
+        const int count = (height() + kRows - 1) / kRows;
+        rows_.resize(std::size_t(count));
+        runPipeline(
+            count, {[&](int i) { read(i); }, [&](int i) { compare(i); }, [&](int i) { gather(i); }},
+            threads, {});
+        if (total_.texels > 0) total_.meanDE2000 /= double(total_.texels);
+        total_.p99DE2000 = histogram_.percentile(0.99, total_.texels);
+        return total_;
+    }
+
+  private:
+    static constexpr int kRows = 16;
+
+    int width() const { return texture_.info().data.width; }
+    int height() const { return texture_.info().data.height; }
+    int rowCount(int i) const { return std::min(kRows, height() - i * kRows); }
+
+    ColorSpace spaceOf(const VerifyOptions& options) const {
+        const auto name = options.space ? options.space : spectral_.text("specbake:colorspace");
+        if (!name || *name == "custom") return texture_.info().automaticSpace;
+        const ColorSpace* space = findColorSpace(*name);
+        if (space == nullptr) throw ArgumentError("unknown colour space '" + *name + "'");
+        return *space;
+    }
+
+    void read(int i) {
+        Rows& rows = rows_[std::size_t(i)];
+        rows.samples.resize(std::size_t(rowCount(i)) * std::size_t(width()) * kBandCount);
+        spectral_.readRows(i * kRows, rowCount(i), rows.samples);
+        rows.texture.resize(std::size_t(rowCount(i)) * texture_.info().bytesPerRow());
+        texture_.readRows(i * kRows, rowCount(i), rows.texture);
+    }
+
+    void compare(int i) {
+        Rows& rows = rows_[std::size_t(i)];
+        const std::size_t texels = std::size_t(rowCount(i)) * std::size_t(width());
+        std::vector<std::array<float, 3>> colors(texels);
+        std::vector<float> alpha(texels);
+        decoder_.decode(rows.texture, texels, colors.data(), alpha.data());
+        for (std::size_t t = 0; t < texels; ++t) {
+            const RGB rgb{double(colors[t][0]), double(colors[t][1]), double(colors[t][2])};
+            compareTexel(rows, t, XYZ(rgb * xyzFromTexel_));
+        }
+        rows.samples = {};
+        rows.texture = {};
+    }
+
+    void compareTexel(Rows& rows, std::size_t t, const XYZ& asked) {
+        Spectrum s;
+        for (std::size_t m = 0; m < s.size(); ++m) {
+            const float sample = rows.samples[t * kBandCount + m];
+            if (!(sample >= 0 && sample <= 1)) ++rows.found.outOfRange;
+            s[m] = double(sample);
+        }
+        const XYZ given = observer_.color(s);
+        const double difference =
+            ciede2000(labFromXYZ(asked, observer_.white()), labFromXYZ(given, observer_.white()));
+        ++rows.found.texels;
+        rows.sumDE2000 += difference;
+        histogram_.add(difference);
+        if (difference > rows.found.maxDE2000) {
+            rows.found.maxDE2000 = difference;
+            rows.worstTexel = t;
+        }
+        rows.found.maxXYZDifference =
+            std::max(rows.found.maxXYZDifference, largestComponent(asked - given));
+    }
+
+    /// In order, so that the mean does not depend on the threads.
+    void gather(int i) {
+        const Rows& rows = rows_[std::size_t(i)];
+        total_.texels += rows.found.texels;
+        total_.meanDE2000 += rows.sumDE2000;
+        total_.outOfRange += rows.found.outOfRange;
+        total_.outsideSolid += rows.found.outsideSolid;
+        total_.maxXYZDifference = std::max(total_.maxXYZDifference, rows.found.maxXYZDifference);
+        if (rows.found.maxDE2000 > total_.maxDE2000) {
+            total_.maxDE2000 = rows.found.maxDE2000;
+            const auto w = std::size_t(width());
+            total_.worstX = rows.worstTexel % w;
+            total_.worstY = rows.worstTexel / w + std::size_t(i) * kRows;
+        }
+        rows_[std::size_t(i)] = {};
+    }
+
+    SpectralReader spectral_;
+    TextureReader texture_;
+    ColorSpace space_;
+    Observer observer_;
+    Imath::M33d xyzFromTexel_;
+    TexelDecoder decoder_;
+    std::vector<Rows> rows_;
+    Histogram histogram_;
+    Verification total_;
+};
+
+}  // namespace
+
+Verification verify(const std::string& spectral, const std::string& texture,
+                    const VerifyOptions& options) {
+    return Comparison(spectral, texture, options).run(options.threads);
+}
+
+}  // namespace specbake

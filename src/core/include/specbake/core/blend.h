@@ -1,0 +1,32 @@
+#pragma once
+
+#include <specbake/core/node_values.h>
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace specbake {
+
+/// A texel's values as a convex combination of four stored ones (kNodeStride floats each).
+struct Mix {
+    std::array<const float*, 4> values;
+    std::array<float, 4> weights;
+};
+
+/// One stored spectrum as it is.
+inline Mix only(const float* values) {
+    return {{values, values, values, values}, {1, 0, 0, 0}};
+}
+
+enum class BlendType { half, float32 };
+
+/// Blends a row of texels into kNodeValues planes: plane p begins at
+/// `planes + p * planeStride` bytes and gets one sample a texel, half (rounded to nearest even) or
+/// float. Previews are clamped at 0, bands to [0, 1] (the weights' sum is 1 only to rounding).
+void blend(std::span<const Mix> texels, BlendType type, std::byte* planes, std::size_t planeStride);
+
+/// `values` as one plane of that type, not clamped.
+void storeSamples(std::span<const float> values, BlendType type, std::byte* plane);
+
+}  // namespace specbake

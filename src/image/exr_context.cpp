@@ -1,0 +1,110 @@
+#include "exr_context.h"
+
+#include <specbake/core/error.h>
+
+namespace specbake {
+namespace {
+
+void ignoreMessage(exr_const_context_t /*context*/, exr_result_t /*code*/, const char* /*text*/) {}
+
+exr_attr_box2i_t boxOf(const Window& w) {
+    return {{w.x, w.y}, {w.x + w.width - 1, w.y + w.height - 1}};
+}
+
+exr_compression_t compressionOf(Compression compression) {
+    switch (compression) {
+        case Compression::zip:
+            return EXR_COMPRESSION_ZIP;
+        case Compression::zips:
+            return EXR_COMPRESSION_ZIPS;
+        case Compression::piz:
+            return EXR_COMPRESSION_PIZ;
+        case Compression::none:
+            break;
+    }
+    return EXR_COMPRESSION_NONE;
+}
+
+/// Sets one attribute of whatever type its value has.
+struct AttributeSetter {
+    exr_context_t context;
+    const char* name;
+
+    exr_result_t operator()(const std::string& value) const {
+        return exr_attr_set_string(context, 0, name, value.c_str());
+    }
+    exr_result_t operator()(int value) const { return exr_attr_set_int(context, 0, name, value); }
+    exr_result_t operator()(float value) const {
+        return exr_attr_set_float(context, 0, name, value);
+    }
+    exr_result_t operator()(const std::vector<float>& v) const {
+        switch (v.size()) {
+            case 2: {
+                const exr_attr_v2f_t value = {v[0], v[1]};
+                return exr_attr_set_v2f(context, 0, name, &value);
+            }
+            case 3: {
+                const exr_attr_v3f_t value = {v[0], v[1], v[2]};
+                return exr_attr_set_v3f(context, 0, name, &value);
+            }
+            case 9:
+                return exr_attr_set_m33f(context, 0, name, matrix<exr_attr_m33f_t>(v).get());
+            case 16:
+                return exr_attr_set_m44f(context, 0, name, matrix<exr_attr_m44f_t>(v).get());
+            default:
+                return EXR_ERR_INVALID_ARGUMENT;
+        }
+    }
+
+  private:
+    template <class Matrix>
+    static std::unique_ptr<Matrix> matrix(const std::vector<float>& v) {
+        auto result = std::make_unique<Matrix>();
+        std::copy(v.begin(), v.end(), result->m);
+        return result;
+    }
+};
+
+}  // namespace
+
+ExrContext::ExrContext(const std::filesystem::path& file, std::string shownAs,
+                       const SpectralHeader& header, const StorageOptions& storage)
+    : shownAs_(std::move(shownAs)) {
+    exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    options.error_handler_fn = ignoreMessage;
+    check(exr_start_write(&context_, file.c_str(), EXR_WRITE_FILE_DIRECTLY, &options));
+    int part = 0;
+    check(exr_add_part(context_, "", EXR_STORAGE_SCANLINE, &part));
+    const exr_attr_box2i_t data = boxOf(header.data);
+    const exr_attr_box2i_t display = boxOf(header.display);
+    const exr_attr_v2f_t center = {0, 0};
+    check(exr_initialize_required_attr(context_, part, &display, &data, header.pixelAspectRatio,
+                                       &center, 1.0F, EXR_LINEORDER_INCREASING_Y,
+                                       compressionOf(storage.compression)));
+    const bool half = storage.sampleType == SampleType::half;
+    for (const std::string& name : channelNames(header.alpha)) {
+        check(exr_add_channel(context_, part, name.c_str(), half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
+                              EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1));
+    }
+    for (const auto& [name, value] : header.attributes) {
+        check(std::visit(AttributeSetter{context_, name.c_str()}, value));
+    }
+    check(exr_write_header(context_));
+}
+
+ExrContext::~ExrContext() {
+    if (context_ != nullptr) exr_finish(&context_);
+}
+
+void ExrContext::check(exr_result_t result) const {
+    if (result != EXR_ERR_SUCCESS) {
+        throw FileError(shownAs_, exr_get_default_error_message(result));
+    }
+}
+
+void ExrContext::finish() {
+    check(exr_finish(&context_));
+    context_ = nullptr;
+}
+
+}  // namespace specbake

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <specbake/core/wavelengths.h>
+#include <specbake/image/image_types.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The layout of a spectral EXR: A. Fichet, R. Pacanowski, A. Wilkie, "An OpenEXR Layout for
+/// Spectral Images", JCGT 10(3), 2021. docs/file-format.md has the whole of it.
+namespace specbake {
+
+/// The channel of a reflectance band: "T.380,000000nm" and so on. Decimal comma, six decimals.
+std::string bandChannelName(int band);
+
+/// The wavelength, nm, of a reflectance channel's name; nothing for another channel.
+std::optional<double> bandWavelength(std::string_view channelName);
+
+/// A file's channels in the order in which they are stored, the alphabet's:
+/// A (if any), B, G, R, then the bands from 380 nm up.
+std::vector<std::string> channelNames(bool alpha);
+
+/// Channels that every texel has: B, G, R (the preview) and the bands, in stored order.
+inline constexpr int kPreviewChannels = 3;
+inline constexpr int kColorChannels = kPreviewChannels + kBandCount;
+
+enum class Compression { none, zip, zips, piz };
+
+/// How pixels are stored.
+struct StorageOptions {
+    SampleType sampleType = SampleType::half;  ///< half or float32, of every channel
+    Compression compression = Compression::zip;
+    int level = kFastestSmall;  ///< of zip and zips
+
+    /// Levels 1 to 3 are ISA-L's (fast), 4 to 12 libdeflate's (small).
+    static constexpr int kFastestSmall = 3;
+    static constexpr int kHighestLevel = 12;
+};
+
+/// Rows that OpenEXR compresses as one chunk.
+constexpr int rowsPerChunk(Compression compression) {
+    return compression == Compression::zip ? 16 : compression == Compression::piz ? 32 : 1;
+}
+
+/// What a spectral file says of itself.
+struct SpectralHeader {
+    Window data;
+    Window display;
+    float pixelAspectRatio = 1;
+    bool alpha = false;
+    Attributes attributes;
+};
+
+}  // namespace specbake

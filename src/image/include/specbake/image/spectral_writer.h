@@ -1,0 +1,53 @@
+#pragma once
+
+#include <specbake/image/spectral_layout.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace specbake {
+
+/// Writes one spectral EXR by chunks of rows. Packing (the compression) is apart from writing, so
+/// that a caller packs chunks in parallel and writes them in order; nothing is held of the image.
+///
+///     SpectralWriter writer(path, header, storage);
+///     for (int chunk = 0; chunk < writer.chunkCount(); ++chunk)
+///         writer.write(chunk, writer.pack(chunk, samples));
+///     writer.commit();
+///
+/// The file appears at commit(), whole; without it nothing stays behind.
+class SpectralWriter {
+  public:
+    /// Throws FileError if the file cannot be created, ArgumentError for a wrong option.
+    SpectralWriter(const std::filesystem::path& path, const SpectralHeader& header,
+                   const StorageOptions& storage);
+    ~SpectralWriter();
+    SpectralWriter(const SpectralWriter&) = delete;
+    SpectralWriter& operator=(const SpectralWriter&) = delete;
+
+    int channelCount() const;
+    int chunkCount() const;
+    int chunkFirstRow(int chunk) const;  ///< counted from 0
+    int chunkRows(int chunk) const;
+    std::size_t chunkBytes(int chunk) const;  ///< of its samples
+
+    /// A chunk's samples to the bytes that stand in the file. The samples lie row by row, within a
+    /// row channel by channel (channelNames()), each channel's row contiguous. Any number of
+    /// threads may pack at once. Throws FileError.
+    std::vector<std::byte> pack(int chunk, std::span<const std::byte> samples) const;
+
+    /// Appends a packed chunk. Chunks go in order, from one thread at a time. Throws FileError.
+    void write(int chunk, std::span<const std::byte> packed);
+
+    /// Completes the file and puts it in its place. Throws FileError.
+    void commit();
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace specbake

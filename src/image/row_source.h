@@ -1,0 +1,43 @@
+#pragma once
+
+#include <OpenImageIO/imageio.h>
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace specbake {
+
+/// A library's message as one line without an end.
+std::string oneLine(std::string text);
+
+/// Rows of the first subimage and mip level of an open image, whether it is stored in scan lines
+/// or in tiles. Channels are interleaved, in the file's order.
+class RowSource {
+  public:
+    /// Throws FileError if the file cannot be opened or is no image of bounded size.
+    /// Samples are read in the file's own type until setSampleType() says otherwise; colour is not
+    /// multiplied by alpha unless the file holds it so.
+    explicit RowSource(const std::string& path);
+
+    const OIIO::ImageSpec& spec() const { return input_->spec(); }
+    OIIO::ImageInput& input() { return *input_; }
+    void setSampleType(OIIO::TypeDesc type) { type_ = type; }
+
+    /// Rows [first, first + count), counted from 0. Throws FileError.
+    void read(int first, int count, std::span<std::byte> samples);
+
+  private:
+    void readTileRow(int tileRow);
+    [[noreturn]] void fail();
+
+    std::string path_;
+    std::unique_ptr<OIIO::ImageInput> input_;
+    OIIO::TypeDesc type_;
+    std::vector<std::byte> tiles_;  ///< one row of tiles
+    int tileRow_ = -1;
+};
+
+}  // namespace specbake

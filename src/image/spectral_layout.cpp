@@ -1,0 +1,32 @@
+#include <specbake/image/spectral_layout.h>
+
+#include <charconv>
+#include <string>
+
+namespace specbake {
+
+std::string bandChannelName(int band) {
+    return "T." + std::to_string(wavelength(band)) + ",000000nm";
+}
+
+std::optional<double> bandWavelength(std::string_view channelName) {
+    if (!channelName.starts_with("T.") || !channelName.ends_with("nm")) return {};
+    std::string number(channelName.substr(2, channelName.size() - 4));
+    const auto comma = number.find(',');
+    if (comma == std::string::npos || number.find('.') != std::string::npos) return {};
+    number[comma] = '.';
+    double value = 0;
+    const char* end = number.data() + number.size();
+    const auto result = std::from_chars(number.data(), end, value, std::chars_format::fixed);
+    if (result.ec != std::errc() || result.ptr != end || !(value > 0)) return {};
+    return value;
+}
+
+std::vector<std::string> channelNames(bool alpha) {
+    std::vector<std::string> names = {"B", "G", "R"};
+    if (alpha) names.insert(names.begin(), "A");
+    for (int band = 0; band < kBandCount; ++band) names.push_back(bandChannelName(band));
+    return names;
+}
+
+}  // namespace specbake

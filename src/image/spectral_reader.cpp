@@ -1,0 +1,83 @@
+#include "row_source.h"
+
+#include <specbake/core/error.h>
+#include <specbake/image/spectral_reader.h>
+
+#include <array>
+#include <cmath>
+
+namespace specbake {
+namespace {
+
+constexpr int kMissing = -1;
+
+/// For each band, the index of its channel in the file.
+std::array<int, kBandCount> bandChannels(const std::string& path, const OIIO::ImageSpec& spec) {
+    std::array<int, kBandCount> channels;
+    channels.fill(kMissing);
+    for (int c = 0; c < spec.nchannels; ++c) {
+        const auto nm = bandWavelength(std::string(spec.channel_name(c)));
+        if (!nm) continue;
+        const double band = (*nm - kFirstWavelength) / kWavelengthStep;
+        if (band == std::floor(band) && band >= 0 && band < kBandCount) {
+            channels[std::size_t(band)] = c;
+        }
+    }
+    for (int band = 0; band < kBandCount; ++band) {
+        if (channels[std::size_t(band)] == kMissing) {
+            throw FileError(path, "no channel " + bandChannelName(band) +
+                                      ": not a spectral image of 380 to 780 nm every 5 nm");
+        }
+    }
+    return channels;
+}
+
+}  // namespace
+
+struct SpectralReader::Implementation {
+    explicit Implementation(const std::string& path)
+        : source(path), channels(bandChannels(path, source.spec())) {
+        source.setSampleType(OIIO::TypeFloat);
+        const OIIO::ImageSpec& spec = source.spec();
+        header.data = {spec.x, spec.y, spec.width, spec.height};
+        header.display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
+        header.pixelAspectRatio = spec.get_float_attribute("PixelAspectRatio", 1.0F);
+        header.alpha = spec.alpha_channel >= 0;
+    }
+
+    RowSource source;
+    std::array<int, kBandCount> channels;
+    SpectralHeader header;
+    std::vector<float> texels;
+};
+
+SpectralReader::SpectralReader(const std::string& path)
+    : implementation_(std::make_unique<Implementation>(path)) {}
+SpectralReader::~SpectralReader() = default;
+
+const SpectralHeader& SpectralReader::header() const {
+    return implementation_->header;
+}
+
+std::optional<std::string> SpectralReader::text(const std::string& attribute) const {
+    const auto* value = implementation_->source.spec().find_attribute(attribute, OIIO::TypeString);
+    if (value == nullptr) return {};
+    return value->get_string();
+}
+
+void SpectralReader::readRows(int first, int count, std::span<float> samples) {
+    Implementation& i = *implementation_;
+    const auto channels = std::size_t(i.source.spec().nchannels);
+    const std::size_t texels = std::size_t(count) * std::size_t(i.header.data.width);
+    if (samples.size() < texels * kBandCount)
+        throw ArgumentError("a buffer too small for its rows");
+    i.texels.resize(texels * channels);
+    i.source.read(first, count, std::as_writable_bytes(std::span(i.texels)));
+    for (std::size_t t = 0; t < texels; ++t) {
+        for (std::size_t band = 0; band < kBandCount; ++band) {
+            samples[t * kBandCount + band] = i.texels[t * channels + std::size_t(i.channels[band])];
+        }
+    }
+}
+
+}  // namespace specbake

@@ -1,0 +1,183 @@
+#include "commands.h"
+#include "progress_bar.h"
+#include "stop_signals.h"
+
+#include <specbake/bake/bake.h>
+#include <specbake/core/error.h>
+#include <specbake/core/grid.h>
+#include <specbake/core/observer.h>
+#include <specbake/image/output_file.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+namespace specbake::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    std::string input;
+    std::string output;
+    std::string space = "auto";
+    std::string illuminant = "auto";
+    std::string sampleType = "half";
+    std::string compression = "zip";
+    int grid = 17;
+    int threads = 0;
+    std::string statsFile;
+    bool update = false;
+    bool verbose = false;
+    bool quiet = false;
+};
+
+std::vector<std::string> spaceNames() {
+    std::vector<std::string> names = {"auto"};
+    for (const ColorSpace& space : colorSpaces()) names.push_back(space.name);
+    return names;
+}
+
+std::vector<std::string> illuminantChoices() {
+    std::vector<std::string> names = illuminantNames();
+    names.insert(names.begin(), "auto");
+    return names;
+}
+
+std::optional<std::string> unlessAuto(const std::string& name) {
+    if (name == "auto") return {};
+    return name;
+}
+
+/// "zip", "zip:6", "none", …
+void parseCompression(const std::string& text, StorageOptions& storage) {
+    const std::map<std::string, Compression> kinds = {{"none", Compression::none},
+                                                      {"zip", Compression::zip},
+                                                      {"zips", Compression::zips},
+                                                      {"piz", Compression::piz}};
+    const auto colon = text.find(':');
+    const auto kind = kinds.find(text.substr(0, colon));
+    if (kind == kinds.end())
+        throw ArgumentError("--compression: none, zip[:LEVEL], zips[:LEVEL] or piz, not " + text);
+    storage.compression = kind->second;
+    if (colon == std::string::npos) return;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data() + colon + 1, end, storage.level);
+    const bool levels = kind->first.starts_with("zip");
+    if (!levels || parsed.ec != std::errc() || parsed.ptr != end) {
+        throw ArgumentError("--compression: " + text + " has no such level");
+    }
+}
+
+BakeOptions optionsOf(const Arguments& a, const std::stop_token& stop, ProgressBar& bar) {
+    BakeOptions options;
+    options.space = unlessAuto(a.space);
+    options.illuminant = unlessAuto(a.illuminant);
+    options.grid = a.grid;
+    options.threads = a.threads;
+    options.storage.sampleType = a.sampleType == "half" ? SampleType::half : SampleType::float32;
+    parseCompression(a.compression, options.storage);
+    options.stop = stop;
+    options.progress = [&bar](double done) { bar.show(done); };
+    return options;
+}
+
+bool isUpToDate(const Arguments& a) {
+    std::error_code missing;
+    const auto made = fs::last_write_time(a.output, missing);
+    return !missing && made >= fs::last_write_time(a.input, missing) && !missing;
+}
+
+void writeStats(const BakeStatistics& s, const Arguments& a) {
+    const nlohmann::ordered_json json = {{"input", a.input},
+                                         {"output", a.output},
+                                         {"space", s.space},
+                                         {"illuminant", s.illuminant},
+                                         {"texels", s.texels},
+                                         {"direct_texels", s.directTexels},
+                                         {"nodes_solved", s.nodesSolved},
+                                         {"seconds", s.seconds},
+                                         {"notes", s.notes}};
+    OutputFile file(a.statsFile);
+    std::ofstream out(file.temporaryPath());
+    out << json.dump(2) << '\n';
+    out.close();
+    if (!out) throw FileError(a.statsFile, "cannot be written");
+    file.commit();
+}
+
+void report(const BakeStatistics& s, const Arguments& a) {
+    for (const std::string& note : s.notes) {
+        if (!a.quiet) std::fprintf(stderr, "specbake: %s: %s\n", a.input.c_str(), note.c_str());
+    }
+    if (a.verbose) {
+        std::printf(
+            "%s -> %s: %zu texels (%s, %s) in %.2f s; %zu nodes solved, %zu texels one by one\n",
+            a.input.c_str(), a.output.c_str(), s.texels, s.space.c_str(), s.illuminant.c_str(),
+            s.seconds, s.nodesSolved, s.directTexels);
+    }
+}
+
+ExitCode bakeCommand(const Arguments& a) {
+    if (a.update && isUpToDate(a)) {
+        if (a.verbose) std::printf("%s is up to date\n", a.output.c_str());
+        return kDone;
+    }
+    std::error_code missing;
+    if (fs::equivalent(a.input, a.output, missing)) {
+        throw ArgumentError(a.output + ": the output is the input");
+    }
+    StopSignals signals;
+    try {
+        ProgressBar bar("baking " + fs::path(a.input).filename().string(), !a.quiet);
+        const BakeStatistics s = bake(a.input, a.output, optionsOf(a, signals.token(), bar));
+        if (!a.statsFile.empty()) writeStats(s, a);
+        report(s, a);
+    } catch (const Cancelled&) {
+        signals.passOn();
+        throw;
+    }
+    return kDone;
+}
+
+}  // namespace
+
+Command addBake(CLI::App& program) {
+    auto a = std::make_shared<Arguments>();
+    CLI::App* command = program.add_subcommand("bake", "A texture to a spectral EXR");
+    command->add_option("input", a->input, "texture: any image that OpenImageIO reads")->required();
+    command->add_option("-o,--output", a->output, "spectral image to write (.exr)")->required();
+    command->add_option("--space", a->space, "colour space of the texture")
+        ->check(CLI::IsMember(spaceNames()))
+        ->capture_default_str();
+    command
+        ->add_option("--illuminant", a->illuminant,
+                     "light under which the colours hold; auto: the space's white, E for xyz")
+        ->check(CLI::IsMember(illuminantChoices()))
+        ->capture_default_str();
+    command->add_option("--grid", a->grid, "nodes of the lookup grid along each axis")
+        ->check(CLI::Range(GridAxis::kFewestNodes, GridAxis::kMostNodes))
+        ->capture_default_str();
+    command->add_option("-d,--data-type", a->sampleType, "samples of the spectral image")
+        ->check(CLI::IsMember({"half", "float"}))
+        ->capture_default_str();
+    command
+        ->add_option("--compression", a->compression,
+                     "none, zip[:LEVEL], zips[:LEVEL] or piz; levels 1-3 fast, 4-12 small")
+        ->capture_default_str();
+    command->add_option("-j,--threads", a->threads, "threads, 0 for all cores")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    command->add_option("--stats", a->statsFile, "write what was done to this JSON file");
+    command->add_flag("-u,--update", a->update, "do nothing if the output is newer than the input");
+    command->add_flag("-v,--verbose", a->verbose, "say what was done");
+    command->add_flag("-q,--quiet", a->quiet, "no progress bar and no remarks");
+    return [a] { return bakeCommand(*a); };
+}
+
+}  // namespace specbake::tool

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace specbake::tool {
+
+/// What the process returns.
+enum ExitCode {
+    kDone = 0,
+    kFailed = 1,    ///< it could not be done: the file and the reason are on stderr
+    kUsage = 2,     ///< the command was wrong
+    kDifferent = 3  ///< `verify` found too large a difference
+};
+
+/// A subcommand adds itself to the program; what it returns does the work once the command line is
+/// read.
+using Command = std::function<ExitCode()>;
+
+Command addBake(CLI::App& program);
+Command addVerify(CLI::App& program);
+
+}  // namespace specbake::tool

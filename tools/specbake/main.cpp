@@ -1,0 +1,53 @@
+#include "commands.h"
+
+#include <specbake/core/error.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <new>
+
+using namespace specbake;
+using namespace specbake::tool;
+
+namespace {
+
+int run(int argc, char** argv) {
+    CLI::App program("specbake: XYZ and RGB textures to spectral textures", "specbake");
+    program.set_version_flag("--version", "specbake " SPECBAKE_VERSION);
+    program.require_subcommand(1);
+    program.footer(
+        "specbake COMMAND --help tells more. Exit codes: 0 done, 1 it could not be done,\n"
+        "2 the command was wrong, 3 verify found too large a difference.");
+    const std::map<std::string, Command> commands = {{"bake", addBake(program)},
+                                                     {"verify", addVerify(program)}};
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? kDone : kUsage;
+    }
+    return commands.at(program.get_subcommands().front()->get_name())();
+}
+
+ExitCode fail(const char* what, ExitCode code) {
+    std::fprintf(stderr, "specbake: %s\n", what);
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const ArgumentError& error) {
+        return fail(error.what(), kUsage);
+    } catch (const Error& error) {
+        return fail(error.what(), kFailed);
+    } catch (const std::bad_alloc&) {
+        return fail("not enough memory", kFailed);
+    } catch (const std::exception& error) {
+        return fail(error.what(), kFailed);
+    }
+}
