@@ -1,16 +1,26 @@
 #pragma once
 
+#include "texel_census.h"
+
 #include <specbake/core/node_values.h>
 
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace specbake {
 
-/// Values of colours that were solved one by one, since textures repeat colours. The key is the
+/// A texel solved by itself.
+struct SolvedTexel {
+    NodeValues values;
+    Fate fate = Fate::solved;
+    double difference = 0;  ///< CIEDE2000 from the colour asked for to that given
+};
+
+/// Colours that were solved one by one, since textures repeat colours. The key is the
 /// colour as it stands in the texture, to the last bit: what is found is what would be solved, so
 /// that neither a hit nor a miss, nor what was forgotten meanwhile, shows in the result.
 ///
@@ -21,15 +31,14 @@ class SpectrumCache {
     using Color = std::array<float, 3>;
     static constexpr std::size_t kSlots = std::size_t(1) << 16;
 
-    /// Copies the values of a colour to `values`; false if it is not there.
-    bool find(const Color& color, NodeValues& values) const;
-    void store(const Color& color, const NodeValues& values);
+    std::optional<SolvedTexel> find(const Color& color) const;
+    void store(const Color& color, const SolvedTexel& solved);
 
   private:
     static constexpr std::size_t kLocks = 64;
     struct Entry {
         Color color;
-        NodeValues values;
+        SolvedTexel solved;
     };
     std::mutex& lockOf(std::size_t slot) const { return locks_[slot % kLocks]; }
 

@@ -19,7 +19,7 @@ std::optional<double> largestScale(const Solid& solid, const XYZ& color) {
     while (true) {
         const double middle = 0.5 * (inside + outside);
         if (middle <= inside || middle >= outside) return inside;  // neighbours among the doubles
-        (solid.gauge(XYZ(color * middle)) <= 1 ? inside : outside) = middle;
+        (solid.contains(XYZ(color * middle)) ? inside : outside) = middle;
     }
 }
 
@@ -45,7 +45,7 @@ std::optional<Outside> outsideFromName(std::string_view name) {
 }
 
 Attainable attainable(const Solid& solid, const XYZ& asked, Outside rule) {
-    if (solid.gauge(asked) <= 1) return {asked, false, {}};
+    if (solid.contains(asked)) return {asked, false, {}};
     if (rule == Outside::error) return {asked, true, {}};
     if (rule == Outside::scale) {
         if (const auto k = largestScale(solid, asked)) return {XYZ(asked * *k), true, {}};

@@ -20,8 +20,8 @@ std::optional<Outside> outsideFromName(std::string_view name);
 
 /// A colour that a reflectance can have, in place of one asked for.
 struct Attainable {
-    XYZ color;             ///< the colour asked for, if it is inside
-    bool outside = false;  ///< the colour asked for is outside the solid
+    XYZ color;                         ///< the colour asked for, if it is inside
+    bool outside = false;              ///< the colour asked for is outside the solid
     std::optional<Spectrum> spectrum;  ///< where it came along with the colour
 };
 
