@@ -11,7 +11,7 @@
 
 #include <specbake/bake/bake.h>
 #include <specbake/core/ciede2000.h>
-#include <specbake/core/smooth.h>
+#include <specbake/core/shell.h>
 
 #include <filesystem>
 
@@ -56,7 +56,7 @@ class Run {
           progress_(progress),
           figures_("scene", options.full ? "specbench scene --full" : "specbench scene"),
           frame_(sRGBFrame()),
-          solver_(std::make_shared<const SmoothSolver>(frame_.observer)),
+          solver_(std::make_shared<const ShellSolver>(frame_.observer)),
           scenes_(scenesOf(options, frame_)),
           incandescent_("A"),
           standard_({"smooth", ""}, frame_, solver_, BakeOptions().grid) {

@@ -11,6 +11,7 @@
 
 #include <specbake/core/descent.h>
 #include <specbake/core/dual_newton.h>
+#include <specbake/core/shell.h>
 #include <specbake/core/smooth.h>
 
 namespace specbake::bench {
@@ -21,9 +22,12 @@ void add(Methods& list, Arguments&&... arguments) {
     list.push_back(std::make_unique<M>(std::forward<Arguments>(arguments)...));
 }
 
+/// specbake's default, and the Newton iteration in it alone, which fails next to the boundary.
 void addSmooth(Methods& list, const Frame& frame, const std::vector<int>& grids) {
-    const auto solver = std::make_shared<const SmoothSolver>(frame.observer);
+    const auto solver = std::make_shared<const ShellSolver>(frame.observer);
     add<SolverMethod>(list, MethodName{"smooth", "direct"}, frame, solver);
+    add<SolverMethod>(list, MethodName{"smooth", "Newton alone"}, frame,
+                      std::make_shared<const SmoothSolver>(frame.observer));
     for (const int nodes : grids) {
         add<GridMethod>(list, MethodName{"smooth", ""}, frame, solver, nodes);
     }
@@ -69,7 +73,12 @@ Methods everyMethod(const std::string& data) {
     Methods list;
     addSmooth(list, frame, {5, 9, 13, 17, 25, 33, 65});
     for (const DescentOptions& options : descentSettings()) {
-        addDescent(list, frame, options, {17});
+        const bool paper = options.path == DescentOptions::Path::closedForm &&
+                           options.start == DescentOptions::Start::random &&
+                           options.bound == DescentOptions::Bound::kept;
+        const bool quick = options.path == DescentOptions::Path::straight &&
+                           options.start == DescentOptions::Start::flat;
+        addDescent(list, frame, options, paper || quick ? std::vector{17} : std::vector<int>{});
     }
     addDualNewton(list, frame);
     add<Jakob2019Direct>(list, frame);

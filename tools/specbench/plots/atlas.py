@@ -27,6 +27,12 @@ def line_of(rows, method, quantity):
     return zip(*sorted(found, reverse=True))
 
 
+def dash_of(methods, method):
+    """Methods of one family differ by their dashes."""
+    family = [m for m in methods if m[0] == method[0]]
+    return ["-", "--", ":", "-."][family.index(method) % 4]
+
+
 def label_ends(axes, ends):
     """ends: (y on the axes from 0 to 1, text, color); the labels stand to the right."""
     for y, (_, text, color) in zip(labels.spread([e[0] for e in ends], 0.062), ends):
@@ -46,7 +52,7 @@ def draw_lines(path, folder):
         for method in methods_of(rows):
             x, y = line_of(rows, method, quantity)
             y = [max(v, FLOOR) if log else v for v in y]
-            axes.plot(x, y, "-", marker=mark_of(method[0]), ms=3.5, lw=1.3,
+            axes.plot(x, y, dash_of(methods_of(rows), method), marker=mark_of(method[0]), ms=3.5, lw=1.3,
                       color=color_of(method[0]))
             ends.append((y[-1], label_of(method), color_of(method[0])))
         axes.invert_xaxis() if axes is panels[0] else None

@@ -11,19 +11,22 @@ SRGB_SETS = {"RGB cube", "8-bit lattice", "dark", "near black, saturated", "near
 OWN_FRAME = "his white"  # Smits in the frame of his paper: not the same colours
 
 
-def front(points):
-    """The points that no other beats: as fast and nearer, or as near and faster."""
+def front(points, exact):
+    """The points that no other beats: as fast and nearer, or as near and faster.
+
+    Errors below `exact` are rounding, and equal."""
     kept = []
     for point in sorted(points, key=lambda p: (-p["x"], p["y"])):
-        if not kept or point["y"] < kept[-1]["y"]:
+        if not kept or max(point["y"], exact) < max(kept[-1]["y"], exact):
             kept.append(point)
     return kept
 
 
 def short(method):
     family, parameters = method
-    if parameters.startswith("grid ") and family == "smooth":
-        return parameters.replace("grid ", "smooth, grid ")
+    if family == "smooth" and parameters.startswith("grid "):
+        nodes = parameters.removeprefix("grid ")
+        return f"smooth, grid {nodes} (default)" if nodes == "17" else nodes
     return f"{family}, {parameters}" if parameters else family
 
 
@@ -40,7 +43,8 @@ def collect(rows, error):
     return points
 
 
-def chart(points, path, title, ylabel, log):
+def chart(points, path, title, ylabel, exact):
+    log = exact > 0
     figure, axes = plt.subplots(figsize=(9, 5.6))
     axes.set_xscale("log")
     if log:
@@ -56,7 +60,12 @@ def chart(points, path, title, ylabel, log):
                 axes.plot(p["x"], p["y"], mark_of(family), ms=8 if mark_of(family) == "*" else 6,
                           color=color_of(family),
                           markerfacecolor=color_of(family) if p["sound"] else "none")
-    best = front([p for p in points if p["sound"]])
+    if exact:
+        axes.axhspan(axes.get_ylim()[0], exact, color="#888888", alpha=0.15, lw=0)
+        axes.text(0.01, exact, "exact, to the float's rounding", fontsize=8, va="top",
+                  transform=axes.get_yaxis_transform())
+        axes.set_ylim(5e-9)
+    best = front([p for p in points if p["sound"]], exact)
     axes.plot([p["x"] for p in best], [p["y"] for p in best], "--", color=INK, lw=1,
               drawstyle="steps-post", alpha=0.7)
     axes.set_xlabel("texels per second on one thread, 81 floats each (log)  →  faster")
@@ -79,7 +88,8 @@ def draw(path, folder):
     round_trip = collect(rows, lambda m: max(floor, value(rows, m, "residual max", SRGB_SETS)))
     best = chart(round_trip, folder / "speed-roundtrip.svg",
                  "Speed against round-trip error inside sRGB (five sets of colours, D65)",
-                 "largest |ΔXYZ| of the stored floats (log; white has Y = 1)", True)
+                 "largest |ΔXYZ| of the stored floats (log; white has Y = 1)",
+                 2.0 ** -23)
     print("  front, round trip:", ", ".join(short(p["method"]) for p in best))
     charts = [s for s in dict.fromkeys(row["set"] for row in rows
                                        if row["quantity"] == "under A mean")]
@@ -88,5 +98,5 @@ def draw(path, folder):
     best = chart(nature, folder / "speed-nature.svg",
                  "Speed against closeness to nature: measured reflectances rebuilt from their D65 "
                  "colour,\nseen under illuminant A (" + ", ".join(charts) + ")",
-                 "mean CIEDE2000 under A", False)
+                 "mean CIEDE2000 under A", 0)
     print("  front, under A:", ", ".join(short(p["method"]) for p in best))

@@ -5,6 +5,11 @@ import matplotlib.pyplot as plt
 from plots.style import color_of, methods_of, read_rows, save
 
 STRONG = {"measured": 2.4, "smooth": 1.8}
+WEAK = {"descent": 0.5}  # it would cover the rest
+
+# settings that are the same curve, or have a neighbour that is enough
+HIDDEN = {("smooth", "Newton alone"), ("descent", "straight, flat"),
+          ("descent", "closed form, random, released")}
 
 
 def name_of(method):
@@ -13,7 +18,7 @@ def name_of(method):
 
 def draw(path, folder):
     rows = read_rows(path)
-    methods = methods_of(rows)
+    methods = [m for m in methods_of(rows) if m not in HIDDEN]
     patches = list(dict.fromkeys(row["set"] for row in rows))
     title = "A dozen ColorChecker patches, rebuilt from their colour under D65"
     figure, grid = plt.subplots(4, 3, figsize=(10, 10.5), sharex=True)
@@ -21,7 +26,8 @@ def draw(path, folder):
         for method in methods:
             line = [(row["at"], row["value"]) for row in rows if row["set"] == patch
                     and (row["family"], row["parameters"]) == method]
-            axes.plot(*zip(*line), color=color_of(method[0]), lw=STRONG.get(method[0], 0.9),
+            width = STRONG.get(method[0], WEAK.get(method[0], 0.9))
+            axes.plot(*zip(*line), color=color_of(method[0]), lw=width,
                       ls=":" if method[0] == "measured" else "-",
                       zorder=3 if method[0] in STRONG else 2)
         for bound in (0, 1):
