@@ -13,6 +13,9 @@ PANELS = [
     ("residual p99", "99 % of residuals below, |ΔXYZ|", True),
     ("continuity p99", "99 % of stretches below,\n|Δs| / |ΔRGB|", True),
 ]
+# without failures, as the one of their family that is shown
+UNMAPPED = {("smooth", "Newton alone"), ("descent", "straight, flat"),
+            ("descent", "closed form, random, released"), ("dual Newton", "nearest to Y")}
 VERDICTS = {"good": None, "missed": "#D55E00", "out of bounds": "#0072B2", "gave up": "#CC79A7"}
 FLOOR = 1e-16
 
@@ -55,12 +58,12 @@ def draw_lines(path, folder):
             axes.plot(x, y, dash_of(methods_of(rows), method), marker=mark_of(method[0]), ms=3.5, lw=1.3,
                       color=color_of(method[0]))
             ends.append((y[-1], label_of(method), color_of(method[0])))
-        axes.invert_xaxis() if axes is panels[0] else None
         axes.set_ylabel(ylabel)
         low, high = axes.get_ylim()
         place = (lambda v: (math.log(v) - math.log(low)) / (math.log(high) - math.log(low))) \
             if log else (lambda v: (v - low) / (high - low))
         label_ends(axes, [(place(v), text, color) for v, text, color in ends])
+    panels[0].invert_xaxis()
     panels[0].set_title(title, loc="left", fontsize=10)
     panels[-1].set_xlabel("1 − gauge (log)  →  nearer to the boundary")
     save(figure, folder / "stability.svg", title)
@@ -85,15 +88,15 @@ def matplotlib_rgb(color):
 
 def draw_map(path, folder):
     rows = read_rows(path)
-    methods = methods_of(rows)
+    methods = [m for m in methods_of(rows) if m not in UNMAPPED]
     luminances = sorted({float(row["luminance"]) for row in rows})
     xs = sorted({float(row["x"]) for row in rows})
     step = min(b - a for a, b in zip(xs, xs[1:]))
     title = "Where each method fails: every chromaticity that a surface can have at a luminance"
     figure, grid = plt.subplots(len(luminances), len(methods), sharex=True, sharey=True,
                                 figsize=(1.45 * len(methods), 1.65 * len(luminances) + 0.6))
-    for axes_row, Y in zip(grid, luminances):
-        for axes, method in zip(axes_row, methods):
+    for line, Y in enumerate(luminances):
+        for axes, method in zip(grid[line], methods):
             points = [row for row in rows if (row["family"], row["parameters"]) == method
                       and float(row["luminance"]) == Y]
             axes.imshow(picture(points, step), origin="lower", interpolation="nearest",
@@ -102,16 +105,16 @@ def draw_map(path, folder):
             axes.text(0.98, 0.97, "none" if bad == 0 else f"{100 * bad:.2g} %", fontsize=7,
                       ha="right", va="top", transform=axes.transAxes)
             axes.tick_params(labelsize=6)
-            if axes_row is grid[0]:
-                axes.set_title(label_of(method).replace(" & ", " &\n").replace(", ", ",\n"),
+            if line == 0:
+                axes.set_title(label_of(method).replace(" & ", " &\n").replace(", ", ",\n", 1),
                                fontsize=7.5, color=color_of(method[0]))
             if method == methods[0]:
                 axes.set_ylabel(f"Y = {Y:g}\ny", fontsize=8)
-            if axes_row is grid[-1]:
+            if line + 1 == len(luminances):
                 axes.set_xlabel("x", fontsize=8)
     legend = [(k, v) for k, v in VERDICTS.items() if v]
-    figure.suptitle(title + "  (share of failures in each corner)", fontsize=10, x=0.08,
-                    ha="left", y=1.0)
+    figure.subplots_adjust(wspace=0.12, hspace=0.12, top=0.86, bottom=0.1)
+    figure.text(0.09, 0.955, title + ". In the corners: the share that fails.", fontsize=10)
     for k, (name, color) in enumerate([("good", "#888888")] + legend):
-        figure.text(0.09 + 0.14 * k, 0.015, "■ " + name, color=color, fontsize=9)
+        figure.text(0.09 + 0.11 * k, 0.02, "■ " + name, color=color, fontsize=9)
     save(figure, folder / "stability-map.svg", title)

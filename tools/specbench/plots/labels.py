@@ -68,7 +68,8 @@ def place(axes, points):
 
 
 def spread(values, gap):
-    """Positions near the values, ascending as they are, at least `gap` apart."""
+    """Positions near the values, ascending as they are, at least `gap` apart, from 0 to 1 if they
+    fit there."""
     order = sorted(range(len(values)), key=lambda i: values[i])
     places = [values[i] for i in order]
     for _ in range(200):
@@ -81,6 +82,8 @@ def spread(values, gap):
                 moved = True
         if not moved:
             break
+    places = [p - max(0, places[-1] - 1) for p in places]
+    places = [max(p, k * gap) for k, p in enumerate(places)]
     result = [0.0] * len(values)
     for place_index, i in enumerate(order):
         result[i] = places[place_index]

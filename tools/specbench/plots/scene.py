@@ -6,7 +6,7 @@ from matplotlib.ticker import FixedLocator, NullFormatter, NullLocator
 from plots import labels
 from plots.style import INK, read_rows, save
 
-COLORS = ["#009E73", "#D55E00", "#0072B2", "#CC79A7", "#E69F00", "#56B4E9"]
+COLORS = ["#009E73", "#D55E00", "#0072B2", "#CC79A7", "#CF8C00", "#3A9FDB"]
 MARKS = ["o", "^", "s", "D", "v", "X"]
 
 NODES, BITS = "nodes per axis", "mantissa bits"

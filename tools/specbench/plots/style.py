@@ -9,20 +9,23 @@ matplotlib.use("agg")  # measures text; the files are SVG
 import matplotlib.pyplot as plt  # noqa: E402
 
 INK = "#010203"  # stands for the page's text colour until the file is written
-STYLE = (
-    "<style>svg{color:#24292f}@media(prefers-color-scheme:dark){svg{color:#e6edf3}}</style>"
+STYLE = (  # a middle tone for viewers that know of no scheme
+    "<style>svg{color:#7a7a7a}"
+    "@media(prefers-color-scheme:light){svg{color:#24292f}}"
+    "@media(prefers-color-scheme:dark){svg{color:#e6edf3}}</style>"
 )
 
-# M. Okabe, K. Ito, "Color Universal Design", 2008; their black is the ink.
+# M. Okabe, K. Ito, "Color Universal Design", 2008; their black is the ink, their yellow is left
+# out, and orange and sky blue are a shade darker, so that words in them can be read on white.
 FAMILIES = {
     "smooth": ("#009E73", "o"),
     "descent": ("#0072B2", "s"),
     "dual Newton": ("#8C6BB1", "p"),
     "Jakob & Hanika 2019": ("#D55E00", "^"),
     "Mallett & Yuksel 2019": ("#CC79A7", "D"),
-    "max entropy": ("#E69F00", "v"),
-    "nearest to grey": ("#999999", "P"),
-    "Smits 1999": ("#56B4E9", "X"),
+    "max entropy": ("#CF8C00", "v"),
+    "nearest to grey": ("#8A8A8A", "P"),
+    "Smits 1999": ("#3A9FDB", "X"),
     "Glassner 1989": (INK, "*"),
     "measured": (INK, ""),
 }
