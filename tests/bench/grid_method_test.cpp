@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace specbake;
 using namespace specbake::bench;
@@ -15,12 +16,13 @@ using namespace specbake::bench;
 TEST_CASE("through the grid: the colour is exact at any resolution, nodes are the solver's") {
     const Frame frame = sRGBFrame();
     const auto solver = std::make_shared<const SmoothSolver>(frame.observer);
+    const std::vector<XYZ> colors = rgbSets(frame, 300).front().colors;
     for (const int nodes : {3, 5}) {
         GridMethod method({"smooth", ""}, frame, solver, nodes);
         method.setUp();
         CHECK(method.failedNodes() == 0);
         CHECK(method.name().parameters == "grid " + std::to_string(nodes));
-        for (const XYZ& c : rgbSets(frame, 300).front().colors) {
+        for (const XYZ& c : colors) {
             const Spectrum s = method.reconstruct(c).spectrum;
             const Imath::V3d d = frame.observer.color(s) - c;
             // The texel, four weights and four products of values below 1 in 24 bits, and the
