@@ -13,7 +13,7 @@ NODES, BITS = "nodes per axis", "mantissa bits"
 GRID_PANELS = [
     ("deviation mean RMS", "mean RMS deviation\nfrom the direct solution (log)", True),
     ("under A p99", "99 % of CIEDE2000 under A below\n(against the direct solution; log)", True),
-    ("bake", "bake of the whole texture, s\n(half, ZIP, all cores)", False),
+    ("bake", "bake of the whole texture,\nprocessor seconds (half, ZIP)", False),
     ("nodes solved", "nodes that the texture needed (log)", True),
 ]
 BIT_PANELS = [
@@ -47,6 +47,7 @@ def panel(axes, rows, quantity, unit, ylabel, log):
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_xticklabels([f"{t:g}" for t in sorted(ticks)])
     axes.set_xlabel(unit + (" (log)" if unit == NODES else ""))
+    axes.autoscale_view()
     to_axes = axes.transData + axes.transAxes.inverted()
     heights = [to_axes.transform(end)[1] for end, _, _ in ends]
     for y, (_, name, color) in zip(labels.spread(heights, 0.075), ends):

@@ -9,7 +9,7 @@ WEAK = {"descent": 0.5}  # it would cover the rest
 
 # settings that are the same curve, or have a neighbour that is enough
 HIDDEN = {("smooth", "Newton alone"), ("descent", "straight, flat"),
-          ("descent", "closed form, random, released")}
+          ("descent", "closed form, random, released"), ("dual Newton", "nearest to Y")}
 
 
 def name_of(method):
@@ -39,10 +39,10 @@ def draw(path, folder):
         axes.set_xlabel("wavelength, nm")
     for axes in grid[:, 0]:
         axes.set_ylabel("reflectance")
-    figure.suptitle(title, fontsize=11, x=0.07, ha="left", y=0.965)
+    figure.text(0.07, 0.955, title, fontsize=11)
     for k, method in enumerate(methods):
         dash = "┄┄ " if method[0] == "measured" else "━ "
-        figure.text(0.07 + 0.235 * (k % 4), 0.935 - 0.019 * (k // 4), dash + name_of(method),
+        figure.text(0.07 + 0.205 * (k % 5), 0.933 - 0.019 * (k // 5), dash + name_of(method),
                     color=color_of(method[0]), fontsize=8.5,
                     fontweight="bold" if method[0] in STRONG else "normal")
     save(figure, folder / "spectra.svg", title)
