@@ -69,7 +69,10 @@ class Run {
     }
 
     void addRoundTrip(const Method& method) {
-        for (const ColorSet& set : setsFor(method)) {
+        for (const ColorSet& set : beyondTheCube(method)) {
+            for (const Measure& m : measureRoundTrip(method, set)) add(method, set.name, m);
+        }
+        for (const ColorSet& set : rgbSets(method.frame(), options_.colors())) {
             for (const Measure& m : measureRoundTrip(method, set)) add(method, set.name, m);
             const auto ratios = continuity(method, set.colors, kContinuityDistance);
             add(method, set.name, {"continuity median", median(ratios), "reflectance per RGB"});
@@ -79,14 +82,10 @@ class Run {
         }
     }
 
-    std::vector<ColorSet> setsFor(const Method& method) const {
-        std::vector<ColorSet> sets = rgbSets(method.frame(), options_.colors());
-        if (method.cubeOnly()) return sets;
+    std::vector<ColorSet> beyondTheCube(const Method& method) const {
+        if (method.cubeOnly()) return {};
         const Solid solid(method.frame().observer);
-        for (ColorSet& set : solidSets(method.frame(), solid, options_.solidColors())) {
-            sets.push_back(std::move(set));
-        }
-        return sets;
+        return solidSets(method.frame(), solid, options_.solidColors());
     }
 
     void addNature(const Method& method) {

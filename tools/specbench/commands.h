@@ -17,7 +17,7 @@ struct Options {
 
     std::size_t colors() const { return full ? 100'000 : 5'000; }
     /// Of the sets beyond the RGB cube, where some methods take a hundred times as long.
-    std::size_t solidColors() const { return full ? 20'000 : 500; }
+    std::size_t solidColors() const { return full ? 5'000 : 200; }
 };
 
 /// Speed and accuracy of every method and setting: accuracy.csv, accuracy.json.
