@@ -124,16 +124,17 @@ std::vector<ColorSet> solidSets(const Frame& frame, const Solid& solid, std::siz
     }
     sets.push_back(cubeInSolid("Rec.2020 cube", "lin_rec2020", frame, solid, count));
     sets.push_back(cubeInSolid("ACEScg cube", "acescg", frame, solid, count));
-    sets.push_back(justOutside(solid, count));
+    sets.push_back(justOutside(solid, count / 10));
     return sets;
 }
 
 std::vector<ColorSet> rgbSets(const Frame& frame, std::size_t count) {
+    const std::size_t few = count / 10;
     return {drawn("RGB cube", frame, count, [](Generator& g) { return uniformRGB(g, 0, 1); }),
             lattice(frame, count),
-            drawn("dark", frame, count, [](Generator& g) { return uniformRGB(g, 0, 0.05); }),
-            drawn("near black, saturated", frame, count, faintSaturated),
-            drawn("near white", frame, count, [](Generator& g) { return uniformRGB(g, 0.99, 1); })};
+            drawn("dark", frame, few, [](Generator& g) { return uniformRGB(g, 0, 0.05); }),
+            drawn("near black, saturated", frame, few, faintSaturated),
+            drawn("near white", frame, few, [](Generator& g) { return uniformRGB(g, 0.99, 1); })};
 }
 
 }  // namespace specbake::bench

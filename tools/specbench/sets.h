@@ -15,8 +15,9 @@ struct ColorSet {
     std::vector<XYZ> colors;
 };
 
-/// Sets of colours under a frame's observer, seeded: the same every time. `count` colours each;
-/// a set that has fewer is taken whole.
+/// Sets of colours under a frame's observer, seeded: the same every time. `count` colours each of
+/// the first two (a set that has fewer is taken whole), a tenth of that of the others: there some
+/// methods take a hundred times as long.
 ///
 /// - "RGB cube": uniform in the frame's unit cube
 /// - "8-bit lattice": sRGB-encoded values 0, 5, …, 255, decoded
@@ -31,7 +32,8 @@ std::vector<ColorSet> rgbSets(const Frame& frame, std::size_t count);
 /// - "gauge R": at that gauge (solid.h), on rays towards seeded directions
 /// - "Rec.2020 cube", "ACEScg cube": uniform in the cube with these primaries and the frame's
 ///   white, of those colours that the solid holds
-/// - "just outside": gauge uniform in [1, 1.05]. No spectrum has them: failing is right there.
+/// - "just outside": a tenth as many, gauge uniform in [1, 1.05]. No spectrum has them: failing is
+///   right there.
 std::vector<ColorSet> solidSets(const Frame& frame, const Solid& solid, std::size_t count);
 
 /// Seeded colours at a gauge.
