@@ -61,9 +61,8 @@ class Baking {
         : reader_(input),
           space_(chosenSpace(reader_.info(), options.space)),
           observer_(options.illuminant.value_or(space_.illuminant)),
-          solid_(observer_),
-          solver_(makeSolver(options, observer_, solid_)),
-          resolver_(solid_, *solver_, options.outside),
+          solver_(options.method, options.perTexel, observer_),
+          resolver_(solver_.solid(), solver_, options.outside),
           decoder_(reader_.info(), space_),
           lookup_(options.perTexel ? std::nullopt : std::optional(options.grid),
                   spacesFor(space_, observer_.white()), resolver_),
@@ -182,8 +181,7 @@ class Baking {
     TextureReader reader_;
     ColorSpace space_;
     Observer observer_;
-    Solid solid_;
-    std::unique_ptr<Solver> solver_;
+    MethodSolver solver_;
     ColorResolver resolver_;
     TexelDecoder decoder_;
     SpectrumLookup lookup_;
