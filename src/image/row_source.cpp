@@ -1,5 +1,7 @@
 #include "row_source.h"
 
+#include "png_check.h"
+
 #include <specbake/core/error.h>
 #include <specbake/image/image_types.h>
 
@@ -10,6 +12,7 @@ namespace specbake {
 namespace {
 
 std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
+    checkPng(path);
     OIIO::ImageSpec wishes;
     wishes["oiio:UnassociatedAlpha"] = 1;
     auto input = OIIO::ImageInput::open(path, &wishes);
@@ -54,7 +57,8 @@ void RowSource::read(int first, int count, std::span<std::byte> samples) {
     if (spec().tile_width == 0) {
         const int y = spec().y + first;
         if (!input_->read_scanlines(0, 0, y, y + count, 0, 0, spec().nchannels, type_,
-                                    samples.data())) {
+                                    samples.data()) ||
+            input_->has_error()) {  // a truncated JPEG reads as grey, and only complains
             fail();
         }
         return;

@@ -70,6 +70,11 @@ std::vector<std::string> notesOn(OIIO::ImageInput& input) {
     if (input.seek_subimage(0, 1)) notes.push_back("only the first of its mip levels is used");
     input.geterror();
     input.seek_subimage(0, 0);
+    const int orientation = input.spec().get_int_attribute("Orientation", 1);
+    if (orientation != 1) {
+        notes.push_back("its orientation (Exif " + std::to_string(orientation) +
+                        ") is not used: texels stay where they are stored");
+    }
     return notes;
 }
 
