@@ -11,8 +11,9 @@
 namespace specbake {
 namespace {
 
-std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
+std::unique_ptr<OIIO::ImageInput> open(const std::string& path, int threads) {
     checkPng(path);
+    OIIO::attribute("exr_threads", threads > 1 ? threads : -1);  // -1: none but the caller's
     OIIO::ImageSpec wishes;
     wishes["oiio:UnassociatedAlpha"] = 1;
     auto input = OIIO::ImageInput::open(path, &wishes);
@@ -39,7 +40,8 @@ std::string oneLine(std::string text) {
     return text.empty() ? "cannot be read" : text;
 }
 
-RowSource::RowSource(const std::string& path) : path_(path), input_(open(path)) {
+RowSource::RowSource(const std::string& path, int threads)
+    : path_(path), input_(open(path, threads)) {
     checkSize(path, spec());
     type_ = spec().format;
 }

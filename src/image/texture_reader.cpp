@@ -99,15 +99,16 @@ TextureInfo infoOf(const std::string& path, RowSource& source) {
 }  // namespace
 
 struct TextureReader::Implementation {
-    explicit Implementation(const std::string& path) : source(path), info(infoOf(path, source)) {
+    Implementation(const std::string& path, int threads)
+        : source(path, threads), info(infoOf(path, source)) {
         source.setSampleType(descriptionOf(info.sampleType));
     }
     RowSource source;
     TextureInfo info;
 };
 
-TextureReader::TextureReader(const std::string& path)
-    : implementation_(std::make_unique<Implementation>(path)) {}
+TextureReader::TextureReader(const std::string& path, int threads)
+    : implementation_(std::make_unique<Implementation>(path, threads)) {}
 TextureReader::~TextureReader() = default;
 TextureReader::TextureReader(TextureReader&&) noexcept = default;
 TextureReader& TextureReader::operator=(TextureReader&&) noexcept = default;
