@@ -14,8 +14,10 @@ namespace specbake {
 /// 380 to 780 nm every 5 nm; channels of other names are passed over.
 class SpectralReader {
   public:
-    /// Throws FileError if the file cannot be read or does not hold the 81 bands.
-    explicit SpectralReader(const std::string& path);
+    /// Throws FileError if the file cannot be read or does not hold the 81 bands. `threads` unpack
+    /// it beside the caller, if there are more than 1; of all readers in the process, the last that
+    /// was made decides.
+    explicit SpectralReader(const std::string& path, int threads = 1);
     ~SpectralReader();
 
     const SpectralHeader& header() const;
@@ -25,7 +27,8 @@ class SpectralReader {
 
     /// Rows [first, first + count), counted from 0: for each texel its kBandCount samples, from
     /// 380 nm up. `samples` holds count * width * kBandCount floats. Throws FileError.
-    void readRows(int first, int count, std::span<float> samples);
+    /// `alpha`, unless empty, gets count * width floats where the header says that there is alpha.
+    void readRows(int first, int count, std::span<float> samples, std::span<float> alpha = {});
 
   private:
     struct Implementation;
