@@ -102,14 +102,14 @@ struct Columns {
 };
 
 #if HWY_TARGET == HWY_SCALAR
-Columns transposed(const float* row, std::size_t /*stride*/) {
+HWY_INLINE Columns transposed(const float* row, std::size_t /*stride*/) {
     const auto at = [row](std::size_t i) { return hn::Load(kFloats, row + i); };
     return {at(0), at(1), at(2), at(3)};
 }
 #else
 /// Blocks of 4 floats at `first`, `first + 4 * stride`, …, as one vector.
 template <class D>
-hn::Vec<D> everyFourthRow(D d, const float* first, std::size_t stride) {
+HWY_INLINE hn::Vec<D> everyFourthRow(D d, const float* first, std::size_t stride) {
     constexpr std::size_t lanes = hn::MaxLanes(D());
     if constexpr (lanes <= 4) {
         return hn::Load(d, first);
@@ -121,7 +121,7 @@ hn::Vec<D> everyFourthRow(D d, const float* first, std::size_t stride) {
 }
 
 /// Transposes kLanes rows of 4 floats, `stride` floats apart and aligned to 16 bytes.
-Columns transposed(const float* rows, std::size_t stride) {
+HWY_INLINE Columns transposed(const float* rows, std::size_t stride) {
     const Vector r0 = everyFourthRow(kFloats, rows, stride);
     const Vector r1 = everyFourthRow(kFloats, rows + stride, stride);
     const Vector r2 = everyFourthRow(kFloats, rows + 2 * stride, stride);
@@ -138,20 +138,20 @@ Columns transposed(const float* rows, std::size_t stride) {
 #endif
 
 /// The one formula of a sample; Columns hold weights or values of different texels.
-Vector weightedSum(const Columns& w, const Columns& v) {
+HWY_INLINE Vector weightedSum(const Columns& w, const Columns& v) {
     const Vector low = hn::Add(hn::Mul(w.c0, v.c0), hn::Mul(w.c1, v.c1));
     return hn::Add(low, hn::Add(hn::Mul(w.c2, v.c2), hn::Mul(w.c3, v.c3)));
 }
 
-Vector clamped(Vector samples, Vector most) {
+HWY_INLINE Vector clamped(Vector samples, Vector most) {
     return hn::Min(hn::Max(samples, hn::Zero(kFloats)), most);
 }
 
-void store(Vector samples, float* to) {
+HWY_INLINE void store(Vector samples, float* to) {
     hn::StoreU(samples, kFloats, to);
 }
 
-void store(Vector samples, Imath::half* to) {
+HWY_INLINE void store(Vector samples, Imath::half* to) {
 #if (HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2) || (HWY_ARCH_ARM_A64 && HWY_TARGET == HWY_NEON)
     const hn::Rebind<hwy::float16_t, Floats> halves;
     hn::StoreU(hn::DemoteTo(halves, samples), halves, reinterpret_cast<hwy::float16_t*>(to));
@@ -204,10 +204,11 @@ void blendApart(const Mix* texels, PlaneRows<Sample>& rows, std::size_t at) {
 }
 
 bool sameSpectra(const Mix* texels) {
+    bool same = true;
     for (std::size_t i = 1; i < kLanes; ++i) {
-        if (texels[i].values != texels[0].values) return false;
+        for (std::size_t k = 0; k < 4; ++k) same &= texels[i].values[k] == texels[0].values[k];
     }
-    return true;
+    return same;
 }
 
 template <class Sample>
