@@ -1,12 +1,12 @@
 #include "attributes.h"
 
+#include "solvers.h"
 #include "version.h"
 
 namespace specbake {
 namespace {
 
-/// Chromaticities of the preview, linear sRGB: what OpenEXR takes for granted without them.
-constexpr const char* kObserver = "CIE 1931 2 degree, 380-780 nm every 5 nm";
+constexpr const char* kObserver = "CIE 1931 2 degree, 5 nm";
 
 }  // namespace
 
@@ -16,11 +16,12 @@ Attributes bakedAttributes(const Attributes& texture, const BakeOptions& options
     all["spectralLayoutVersion"] = "1.0";
     all["Software"] = std::string("specbake ") + kVersion;
     all["specbake:version"] = kVersion;
-    all["specbake:method"] = "smooth";
-    all["specbake:grid"] = options.grid;
+    all["specbake:method"] = std::string(methodName(options.method));
+    all["specbake:grid"] = options.perTexel ? 0 : options.grid;
     all["specbake:illuminant"] = illuminant;
     all["specbake:observer"] = kObserver;
     all["specbake:colorspace"] = space.name;
+    all["specbake:outside"] = std::string(outsideName(options.outside));
     return all;
 }
 

@@ -2,10 +2,10 @@
 #include "band.h"
 #include "lookup.h"
 #include "pipeline.h"
+#include "solvers.h"
 
 #include <specbake/bake/bake.h>
 #include <specbake/core/error.h>
-#include <specbake/core/smooth.h>
 #include <specbake/image/spectral_writer.h>
 #include <specbake/image/texture_reader.h>
 
@@ -36,11 +36,21 @@ SpectralHeader headerOf(const TextureInfo& info, Attributes attributes) {
                                    std::to_string(kind.count) + " such in all");
 }
 
-void refuseUnusable(const TextureInfo& info, const TexelCensus& census) {
-    if (census.notFinite.count > 0) refuse(info, census.notFinite, "is not a finite number");
-    if (census.outside.count > 0) {
-        refuse(info, census.outside, "has a colour that no reflectance has");
+void refuseIncomplete(const TextureInfo& info, const TexelCensus& census) {
+    const std::pair<Fate, const char*> reasons[] = {
+        {Fate::notFinite, "is not a finite number"},
+        {Fate::refused, "has a colour that no reflectance has"},
+        {Fate::failed, "was not solved"}};
+    for (const auto& [fate, what] : reasons) {
+        if (census.of(fate).count > 0) refuse(info, census.of(fate), what);
     }
+}
+
+/// The cube that the grid divides: the texture's own space, and for XYZ linear Rec.2020, which
+/// holds nearly every surface colour, on the illuminant's white.
+LookupSpaces spacesFor(const ColorSpace& space, const XYZ& white) {
+    const ColorSpace& cube = space.isXYZ() ? *findColorSpace("lin_rec2020") : space;
+    return {xyzFromRGB(space, white), xyzFromRGB(cube, white)};
 }
 
 /// One texture on its way: what the three stages of the pipeline share.
@@ -51,9 +61,12 @@ class Baking {
         : reader_(input),
           space_(chosenSpace(reader_.info(), options.space)),
           observer_(options.illuminant.value_or(space_.illuminant)),
-          solver_(observer_),
+          solid_(observer_),
+          solver_(makeSolver(options, observer_, solid_)),
+          resolver_(solid_, *solver_, options.outside),
           decoder_(reader_.info(), space_),
-          lookup_(options.grid, xyzFromRGB(space_, observer_.white()), solver_),
+          lookup_(options.perTexel ? std::nullopt : std::optional(options.grid),
+                  spacesFor(space_, observer_.white()), resolver_),
           storage_(options.storage),
           writer_(output,
                   headerOf(reader_.info(), bakedAttributes(reader_.info().attributes, options,
@@ -73,7 +86,7 @@ class Baking {
                     {[&](int i) { readBand(bands[std::size_t(i)]); },
                      [&](int i) { processBand(bands[std::size_t(i)]); }, write},
                     options.threads, options.stop);
-        refuseUnusable(reader_.info(), census_);
+        refuseIncomplete(reader_.info(), census_);
         writer_.commit();
         return statistics();
     }
@@ -115,7 +128,7 @@ class Baking {
                 blendRow(band, imageRow,
                          std::span(samples).subspan(std::size_t(row) * bytes, bytes));
             }
-            if (band.census.usable()) band.packed[i] = writer_.pack(chunk, samples);
+            if (band.census.complete()) band.packed[i] = writer_.pack(chunk, samples);
         }
         band.stored = {};
     }
@@ -146,7 +159,7 @@ class Baking {
 
     void writeBand(Band& band) {
         census_.append(band.census);
-        if (!census_.usable()) return;
+        if (!census_.complete()) return;
         for (std::size_t i = 0; i < band.packed.size(); ++i) {
             writer_.write(band.firstChunk + int(i), band.packed[i]);
         }
@@ -157,7 +170,10 @@ class Baking {
         s.space = space_.name;
         s.illuminant = observer_.illuminant();
         s.texels = std::size_t(reader_.info().data.width) * std::size_t(reader_.info().data.height);
-        s.directTexels = census_.direct;
+        for (const Fate fate : {Fate::solved, Fate::moved})
+            s.directTexels += census_.of(fate).count;
+        s.outsideTexels = census_.of(Fate::moved).count;
+        s.largestMove = census_.largestMove();
         s.nodesSolved = lookup_.nodesSolved();
         s.notes = reader_.info().notes;
         return s;
@@ -166,7 +182,9 @@ class Baking {
     TextureReader reader_;
     ColorSpace space_;
     Observer observer_;
-    SmoothSolver solver_;
+    Solid solid_;
+    std::unique_ptr<Solver> solver_;
+    ColorResolver resolver_;
     TexelDecoder decoder_;
     SpectrumLookup lookup_;
     StorageOptions storage_;

@@ -1,12 +1,14 @@
 #include "lookup.h"
 
+#include <specbake/core/ciede2000.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace specbake {
 namespace {
 
-using Color = std::array<float, 3>;
+using Color = SpectrumLookup::Color;
 
 bool isFinite(const Color& color) {
     return std::all_of(color.begin(), color.end(), [](float v) { return std::isfinite(v); });
@@ -16,51 +18,102 @@ bool isInUnitCube(const Color& color) {
     return std::all_of(color.begin(), color.end(), [](float v) { return v >= 0 && v <= 1; });
 }
 
+/// (1 - weight) a + weight b
+NodeValues mixed(const NodeValues& a, const float* b, float weight) {
+    NodeValues result;
+    for (std::size_t p = 0; p < kNodeValues; ++p) {
+        result.value[p] = (1 - weight) * a.value[p] + weight * b[p];
+    }
+    return result;
+}
+
+NodeValues blended(const Mix& mix) {
+    NodeValues result;
+    for (std::size_t p = 0; p < kNodeValues; ++p) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            result.value[p] += mix.weights[k] * mix.values[k][p];
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
-SpectrumLookup::SpectrumLookup(int gridNodes, const Imath::M33d& xyzFromTexel, const Solver& solver)
-    : grid_(gridNodes),
-      xyzFromTexel_(xyzFromTexel),
-      solver_(solver),
-      store_(filledStore(grid_, xyzFromTexel, solver)) {}
+SpectrumLookup::Lattice::Lattice(int nodes, const Imath::M33d& xyzFromGrid,
+                                 const ColorResolver& resolver)
+    : grid(nodes),
+      margin(grid, xyzFromGrid, resolver.solid()),
+      store(filledStore(grid, xyzFromGrid, resolver.solver())) {}
+
+SpectrumLookup::SpectrumLookup(std::optional<int> gridNodes, const LookupSpaces& spaces,
+                               const ColorResolver& resolver)
+    : spaces_(spaces), resolver_(resolver) {
+    if (!spaces.sameSpace()) gridFromTexel_ = spaces.xyzFromTexel * spaces.xyzFromGrid.inverse();
+    if (gridNodes) lattice_ = std::make_unique<Lattice>(*gridNodes, spaces.xyzFromGrid, resolver);
+}
 
 void SpectrumLookup::locate(std::span<const Color> colors, std::size_t firstTexel,
                             std::span<Mix> mixes, Scratch& scratch, TexelCensus& census) {
+    Found found;
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        if (i > 0 && colors[i] == colors[i - 1]) {
-            mixes[i] = mixes[i - 1];
-        } else if (!isInUnitCube(colors[i]) || !locateInGrid(colors[i], mixes[i])) {
-            mixes[i] = solve(colors[i], firstTexel + i, scratch, census);
-        }
+        if (i == 0 || colors[i] != colors[i - 1]) found = find(colors[i], scratch);
+        mixes[i] = found.mix;
+        if (found.solved) census.meet(firstTexel + i, found.solved->fate, found.solved->difference);
     }
 }
 
-bool SpectrumLookup::locateInGrid(const Color& color, Mix& mix) {
-    const GridSimplex simplex = grid_.locate(color);
+SpectrumLookup::Found SpectrumLookup::find(const Color& color, Scratch& scratch) {
+    const Color point = gridPoint(color);
+    const Place place = lattice_ && isInUnitCube(point) ? placeInGrid(point) : Place{};
+    if (place.margin == 1) return {place.mix};
+    SolvedTexel& solved = scratch.emplace_back(solve(color));
+    if (place.margin > 0) {
+        const NodeValues inGrid = blended(place.mix);
+        solved.values = mixed(solved.values, inGrid.value.data(), place.margin);
+    }
+    return {only(solved.values.value.data()), &solved};
+}
+
+Color SpectrumLookup::gridPoint(const Color& color) const {
+    if (!gridFromTexel_) return color;
+    const Imath::V3d texel{double(color[0]), double(color[1]), double(color[2])};
+    const Imath::V3d point = texel * *gridFromTexel_;
+    return {float(point.x), float(point.y), float(point.z)};
+}
+
+SpectrumLookup::Place SpectrumLookup::placeInGrid(const Color& point) {
+    const GridSimplex simplex = lattice_->grid.locate(point);
+    Place place;
+    place.margin = lattice_->margin.at(simplex);
+    if (place.margin == 0) return place;
+    place.mix.weights = simplex.weight;
     for (std::size_t k = 0; k < 4; ++k) {
-        mix.values[k] = store_.at(simplex.node[k]);
-        if (mix.values[k] == nullptr) return false;
+        place.mix.values[k] = lattice_->store.at(simplex.node[k]);
+        if (place.mix.values[k] == nullptr) return {};
     }
-    mix.weights = simplex.weight;
-    return true;
+    return place;
 }
 
-Mix SpectrumLookup::solve(const Color& color, std::size_t texel, Scratch& scratch,
-                          TexelCensus& census) const {
-    static constexpr NodeValues black{};
-    if (!isFinite(color)) {
-        census.notFinite.meet(texel);
-        return only(black.value.data());
-    }
+SolvedTexel SpectrumLookup::solve(const Color& color) {
+    if (!isFinite(color)) return {{}, Fate::notFinite, 0};
+    if (const auto known = cache_.find(color)) return *known;
+    const SolvedTexel solved = solveAnew(color);
+    cache_.store(color, solved);
+    return solved;
+}
+
+SolvedTexel SpectrumLookup::solveAnew(const Color& color) const {
     const RGB rgb{double(color[0]), double(color[1]), double(color[2])};
-    const Solution solution = solver_.solve(XYZ(rgb * xyzFromTexel_));
-    if (!solution.solved()) {
-        census.outside.meet(texel);
-        return only(black.value.data());
+    const XYZ asked(rgb * spaces_.xyzFromTexel);
+    const ColorResolver::Resolved resolved = resolver_.resolve(asked);
+    if (!resolved.solution.solved()) {
+        return {{}, resolved.outside ? Fate::refused : Fate::failed, 0};
     }
-    ++census.direct;
-    scratch.push_back(encoder_.encode(solution.spectrum));
-    return only(scratch.back().value.data());
+    const NodeValues values = encoder_.encode(resolved.solution.spectrum);
+    if (!resolved.outside) return {values, Fate::solved, 0};
+    const XYZ& white = resolver_.solid().white();
+    return {values, Fate::moved,
+            ciede2000(labFromXYZ(asked, white), labFromXYZ(resolved.given, white))};
 }
 
 }  // namespace specbake

@@ -1,43 +1,74 @@
 #pragma once
 
+#include "grid_margin.h"
+#include "spectrum_cache.h"
 #include "texel_census.h"
 
 #include <specbake/core/blend.h>
 #include <specbake/core/fill.h>
+#include <specbake/core/outside.h>
 
 #include <array>
 #include <deque>
+#include <optional>
 #include <span>
 
 namespace specbake {
 
-/// Finds each texel's spectrum: in the grid where its cell lies in the solid, else by solving it.
-/// Any number of threads may share it.
+/// Where texels stand: the linear space of the texture, and the cube that the grid divides.
+struct LookupSpaces {
+    Imath::M33d xyzFromTexel;
+    Imath::M33d xyzFromGrid;
+    bool sameSpace() const { return xyzFromTexel == xyzFromGrid; }
+};
+
+/// Finds each texel's spectrum: in the grid where its cell lies in the solid, solved by itself
+/// elsewhere, and a blend of both in the cells between. Any number of threads may share it.
 class SpectrumLookup {
   public:
-    /// `xyzFromTexel` takes a linear texel to XYZ; `solver` must outlive the lookup.
-    SpectrumLookup(int gridNodes, const Imath::M33d& xyzFromTexel, const Solver& solver);
+    /// `gridNodes`: none to solve every texel by itself. The resolver must outlive the lookup.
+    SpectrumLookup(std::optional<int> gridNodes, const LookupSpaces& spaces,
+                   const ColorResolver& resolver);
 
     /// Spectra of texels that are not blends of grid nodes; what Mix points to stays put.
-    using Scratch = std::deque<NodeValues>;
+    using Scratch = std::deque<SolvedTexel>;
+    using Color = std::array<float, 3>;
 
     /// The mixes of a run of texels, the first of which is number `firstTexel` of the image.
     /// A texel that has no spectrum counts in the census and gets that of black.
-    void locate(std::span<const std::array<float, 3>> colors, std::size_t firstTexel,
-                std::span<Mix> mixes, Scratch& scratch, TexelCensus& census);
+    void locate(std::span<const Color> colors, std::size_t firstTexel, std::span<Mix> mixes,
+                Scratch& scratch, TexelCensus& census);
 
-    std::size_t nodesSolved() const { return store_.foundCount(); }
+    std::size_t nodesSolved() const { return lattice_ ? lattice_->store.foundCount() : 0; }
 
   private:
-    bool locateInGrid(const std::array<float, 3>& color, Mix& mix);
-    Mix solve(const std::array<float, 3>& color, std::size_t texel, Scratch& scratch,
-              TexelCensus& census) const;
+    struct Lattice {
+        Lattice(int nodes, const Imath::M33d& xyzFromGrid, const ColorResolver& resolver);
+        Grid grid;
+        GridMargin margin;
+        NodeStore store;
+    };
+    struct Place {
+        Mix mix;
+        float margin = 0;  ///< of the grid's mix; the rest is to be solved
+    };
+    struct Found {
+        Mix mix;
+        const SolvedTexel* solved = nullptr;  ///< none: a blend of the grid's nodes alone
+    };
 
-    Grid grid_;
-    Imath::M33d xyzFromTexel_;
-    const Solver& solver_;
+    Color gridPoint(const Color& color) const;
+    Place placeInGrid(const Color& point);
+    Found find(const Color& color, Scratch& scratch);
+    SolvedTexel solve(const Color& color);
+    SolvedTexel solveAnew(const Color& color) const;
+
+    LookupSpaces spaces_;
+    std::optional<Imath::M33d> gridFromTexel_;
+    const ColorResolver& resolver_;
     NodeEncoder encoder_;
-    NodeStore store_;
+    SpectrumCache cache_;
+    std::unique_ptr<Lattice> lattice_;
 };
 
 }  // namespace specbake

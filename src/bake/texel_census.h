@@ -1,39 +1,56 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <string>
 
 namespace specbake {
 
+/// What became of a texel.
+enum class Fate {
+    solved,     ///< its spectrum has its colour
+    moved,      ///< outside the solid: its spectrum has another colour, by the rule for these
+    refused,    ///< outside the solid, and the rule is to refuse
+    notFinite,  ///< NaN or infinity
+    failed      ///< inside the solid, and yet the method did not solve it
+};
+
 /// What a run of texels met. Censuses of consecutive runs add up to that of the whole.
-struct TexelCensus {
-    /// Texels of one unhappy kind: how many, and the first one's number in row order.
+class TexelCensus {
+  public:
+    /// Texels of one fate: how many, and the first one's number in row order.
     struct Kind {
         std::size_t count = 0;
         std::optional<std::size_t> first;
-
-        void meet(std::size_t texel) {
-            if (count++ == 0) first = texel;
-        }
-        void append(const Kind& later) {
-            if (count == 0) first = later.first;
-            count += later.count;
-        }
     };
 
-    std::size_t direct = 0;  ///< solved one by one
-    Kind notFinite;
-    Kind outside;  ///< of the object-colour solid
-    Kind failed;   ///< inside, and yet not solved
+    /// A texel that is no blend of the grid's nodes; `difference`: CIEDE2000 from asked to given.
+    void meet(std::size_t texel, Fate fate, double difference) {
+        Kind& kind = kinds_[std::size_t(fate)];
+        if (kind.count++ == 0) kind.first = texel;
+        largestMove_ = std::max(largestMove_, difference);
+    }
 
     void append(const TexelCensus& later) {
-        direct += later.direct;
-        notFinite.append(later.notFinite);
-        outside.append(later.outside);
-        failed.append(later.failed);
+        for (std::size_t i = 0; i < kFates; ++i) {
+            if (kinds_[i].count == 0) kinds_[i].first = later.kinds_[i].first;
+            kinds_[i].count += later.kinds_[i].count;
+        }
+        largestMove_ = std::max(largestMove_, later.largestMove_);
     }
-    bool usable() const { return notFinite.count + outside.count + failed.count == 0; }
+
+    const Kind& of(Fate fate) const { return kinds_[std::size_t(fate)]; }
+    double largestMove() const { return largestMove_; }
+
+    /// Every texel has a spectrum.
+    bool complete() const {
+        return of(Fate::refused).count + of(Fate::notFinite).count + of(Fate::failed).count == 0;
+    }
+
+  private:
+    static constexpr std::size_t kFates = 5;
+    Kind kinds_[kFates];
+    double largestMove_ = 0;
 };
 
 }  // namespace specbake

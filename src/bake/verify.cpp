@@ -4,6 +4,7 @@
 #include <specbake/core/ciede2000.h>
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
+#include <specbake/core/outside.h>
 #include <specbake/image/spectral_reader.h>
 #include <specbake/image/texture_reader.h>
 
@@ -61,6 +62,9 @@ class Comparison {
           space_(spaceOf(options)),
           observer_(options.illuminant.value_or(
               spectral_.text("specbake:illuminant").value_or(space_.illuminant))),
+          solid_(observer_),
+          outside_(outsideFromName(spectral_.text("specbake:outside").value_or(""))
+                       .value_or(Outside::nearest)),
           xyzFromTexel_(xyzFromRGB(space_, observer_.white())),
           decoder_(texture_.info(), space_) {
         if (spectral_.header().data.width != width() ||
@@ -117,7 +121,12 @@ class Comparison {
         rows.texture = {};
     }
 
-    void compareTexel(Rows& rows, std::size_t t, const XYZ& asked) {
+    /// Beside the colour that the file had to give: that of the texel, or what the file's rule
+    /// for colours outside the solid makes of it.
+    void compareTexel(Rows& rows, std::size_t t, const XYZ& texel) {
+        const Attainable target = attainable(solid_, texel, outside_);
+        const XYZ& asked = target.color;
+        if (target.outside) ++rows.found.outsideSolid;
         Spectrum s;
         for (std::size_t m = 0; m < s.size(); ++m) {
             const float sample = rows.samples[t * kBandCount + m];
@@ -159,6 +168,8 @@ class Comparison {
     TextureReader texture_;
     ColorSpace space_;
     Observer observer_;
+    Solid solid_;
+    Outside outside_;
     Imath::M33d xyzFromTexel_;
     TexelDecoder decoder_;
     std::vector<Rows> rows_;

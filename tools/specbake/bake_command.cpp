@@ -1,3 +1,4 @@
+#include "choices.h"
 #include "commands.h"
 #include "progress_bar.h"
 #include "stop_signals.h"
@@ -5,7 +6,6 @@
 #include <specbake/bake/bake.h>
 #include <specbake/core/error.h>
 #include <specbake/core/grid.h>
-#include <specbake/core/observer.h>
 #include <specbake/image/output_file.h>
 
 #include <CLI/CLI.hpp>
@@ -29,6 +29,9 @@ struct Arguments {
     std::string illuminant = "auto";
     std::string sampleType = "half";
     std::string compression = "zip";
+    std::string method = "smooth";
+    std::string outside = "nearest";
+    bool perTexel = false;
     int grid = 17;
     int threads = 0;
     std::string statsFile;
@@ -36,23 +39,6 @@ struct Arguments {
     bool verbose = false;
     bool quiet = false;
 };
-
-std::vector<std::string> spaceNames() {
-    std::vector<std::string> names = {"auto"};
-    for (const ColorSpace& space : colorSpaces()) names.push_back(space.name);
-    return names;
-}
-
-std::vector<std::string> illuminantChoices() {
-    std::vector<std::string> names = illuminantNames();
-    names.insert(names.begin(), "auto");
-    return names;
-}
-
-std::optional<std::string> unlessAuto(const std::string& name) {
-    if (name == "auto") return {};
-    return name;
-}
 
 /// "zip", "zip:6", "none", …
 void parseCompression(const std::string& text, StorageOptions& storage) {
@@ -78,7 +64,10 @@ BakeOptions optionsOf(const Arguments& a, const std::stop_token& stop, ProgressB
     BakeOptions options;
     options.space = unlessAuto(a.space);
     options.illuminant = unlessAuto(a.illuminant);
+    options.method = methodChoices().at(a.method);
+    options.outside = outsideChoices().at(a.outside);
     options.grid = a.grid;
+    options.perTexel = a.perTexel;
     options.threads = a.threads;
     options.storage.sampleType = a.sampleType == "half" ? SampleType::half : SampleType::float32;
     parseCompression(a.compression, options.storage);
@@ -100,6 +89,8 @@ void writeStats(const BakeStatistics& s, const Arguments& a) {
                                          {"illuminant", s.illuminant},
                                          {"texels", s.texels},
                                          {"direct_texels", s.directTexels},
+                                         {"outside_texels", s.outsideTexels},
+                                         {"outside_max_de2000", s.largestMove},
                                          {"nodes_solved", s.nodesSolved},
                                          {"seconds", s.seconds},
                                          {"notes", s.notes}};
@@ -114,6 +105,12 @@ void writeStats(const BakeStatistics& s, const Arguments& a) {
 void report(const BakeStatistics& s, const Arguments& a) {
     for (const std::string& note : s.notes) {
         if (!a.quiet) std::fprintf(stderr, "specbake: %s: %s\n", a.input.c_str(), note.c_str());
+    }
+    if (s.outsideTexels > 0 && !a.quiet) {
+        std::fprintf(stderr,
+                     "specbake: %s: %zu texels have a colour that no reflectance has; they were "
+                     "moved by up to CIEDE2000 %.2f (--outside %s)\n",
+                     a.input.c_str(), s.outsideTexels, s.largestMove, a.outside.c_str());
     }
     if (a.verbose) {
         std::printf(
@@ -153,13 +150,26 @@ Command addBake(CLI::App& program) {
     command->add_option("input", a->input, "texture: any image that OpenImageIO reads")->required();
     command->add_option("-o,--output", a->output, "spectral image to write (.exr)")->required();
     command->add_option("--space", a->space, "colour space of the texture")
-        ->check(CLI::IsMember(spaceNames()))
+        ->check(CLI::IsMember(spaceChoices()))
         ->capture_default_str();
     command
         ->add_option("--illuminant", a->illuminant,
                      "light under which the colours hold; auto: the space's white, E for xyz")
         ->check(CLI::IsMember(illuminantChoices()))
         ->capture_default_str();
+    command
+        ->add_option("--method", a->method,
+                     "smooth: the smoothest spectrum; descent: steepest descent in the box")
+        ->check(CLI::IsMember(methodChoices()))
+        ->capture_default_str();
+    command
+        ->add_option("--outside", a->outside,
+                     "colours that no reflectance has: the nearest one, the same chromaticity "
+                     "darker, or an error")
+        ->check(CLI::IsMember(outsideChoices()))
+        ->capture_default_str();
+    command->add_flag("--per-texel", a->perTexel,
+                      "solve every distinct colour by itself, without the grid");
     command->add_option("--grid", a->grid, "nodes of the lookup grid along each axis")
         ->check(CLI::Range(GridAxis::kFewestNodes, GridAxis::kMostNodes))
         ->capture_default_str();

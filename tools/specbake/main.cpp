@@ -22,7 +22,9 @@ int run(int argc, char** argv) {
         "specbake COMMAND --help tells more. Exit codes: 0 done, 1 it could not be done,\n"
         "2 the command was wrong, 3 verify found too large a difference.");
     const std::map<std::string, Command> commands = {{"bake", addBake(program)},
-                                                     {"verify", addVerify(program)}};
+                                                     {"verify", addVerify(program)},
+                                                     {"solve", addSolve(program)},
+                                                     {"region", addRegion(program)}};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <specbake/core/color.h>
+#include <specbake/core/outside.h>
 #include <specbake/image/spectral_layout.h>
 
 #include <cstddef>
@@ -13,11 +13,20 @@
 
 namespace specbake {
 
+/// How a colour becomes a spectrum.
+enum class Method {
+    smooth,  ///< the smoothest reflectance (shell.h)
+    descent  ///< the paper's descent (descent.h)
+};
+
 /// How a texture is baked. The defaults are those of `specbake bake`.
 struct BakeOptions {
     std::optional<std::string> space;       ///< of colorSpaces(); none: what the file says
     std::optional<std::string> illuminant;  ///< of illuminantNames(); none: the space's own white
-    int grid = 17;                          ///< nodes an axis, GridAxis::kFewestNodes to kMostNodes
+    Method method = Method::smooth;
+    int grid = 17;          ///< nodes an axis, GridAxis::kFewestNodes to kMostNodes
+    bool perTexel = false;  ///< no grid: every distinct colour is solved by itself
+    Outside outside = Outside::nearest;
     StorageOptions storage;
     int threads = 0;                       ///< 0: all cores
     std::stop_token stop;                  ///< when stopped, bake() throws Cancelled
@@ -29,7 +38,9 @@ struct BakeStatistics {
     std::string space;
     std::string illuminant;
     std::size_t texels = 0;
-    std::size_t directTexels = 0;  ///< solved one by one, not through the grid
+    std::size_t directTexels = 0;   ///< not, or not only, through the grid
+    std::size_t outsideTexels = 0;  ///< whose colour no reflectance has
+    double largestMove = 0;         ///< of these: CIEDE2000 from the colour asked for to that given
     std::size_t nodesSolved = 0;
     double seconds = 0;
     std::vector<std::string> notes;  ///< of the texture: what of the file was not used
@@ -37,7 +48,7 @@ struct BakeStatistics {
 
 /// The texture `input` to the spectral image `output`, which appears whole or not at all.
 /// The bytes of the output depend on the input and the options but not on the threads.
-/// Throws FileError, ArgumentError, ColorError, Cancelled.
+/// Throws FileError, ArgumentError, Cancelled.
 BakeStatistics bake(const std::string& input, const std::filesystem::path& output,
                     const BakeOptions& options);
 

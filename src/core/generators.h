@@ -1,0 +1,47 @@
+#pragma once
+
+#include <specbake/core/wavelengths.h>
+
+#include <Imath/ImathVec.h>
+
+#include <bitset>
+#include <vector>
+
+namespace specbake {
+
+/// A set of generators; also a vertex of the solid, the sum of the set.
+using GeneratorSet = std::bitset<kBandCount>;
+
+/// A pair of generators, the normal n of its two parallelograms, and the generators on n's side.
+struct SidePair {
+    int first = 0, second = 0;  ///< ordered so that n = w_first x w_second has n_Z > 0
+    Imath::V3d normal;          ///< unit length, each component within 4 roundings of its value
+    GeneratorSet above;         ///< j with n.w_j > 0: those with s_j = 1 in (13)
+};
+
+/// The combinatorics of the object-colour solid (paper, section 3).
+///
+/// The bands' vectors w_m are merged where they are parallel; each group is one generator of the
+/// zonohedron, the sum of its bands. An illuminant multiplies each vector by a positive factor, so
+/// that parallelism and the sign of each n.w_j follow from the printed table alone. They are
+/// decided in integers: a component is below 2^35, a triple determinant below 2^108.
+struct Generators {
+    std::vector<std::vector<int>> bands;  ///< the bands of each generator, ascending
+    std::vector<int> red;         ///< the generators with Z = 0, by ascending angle in the XY plane
+    std::vector<bool> isRed;      ///< by generator
+    std::vector<SidePair> sides;  ///< every pair that is not red and red: they span the bases
+    std::vector<int> sideOfPair;  ///< index into `sides` at [first * count() + second], else -1
+
+    int count() const { return int(bands.size()); }
+
+    /// The unit normal of the plane of two generators, up to its sign.
+    Imath::V3d normal(int first, int second) const {
+        const int side = sideOfPair[std::size_t(first * count() + second)];
+        return side < 0 ? Imath::V3d(0, 0, 1) : sides[std::size_t(side)].normal;
+    }
+};
+
+/// Made once, on first use.
+const Generators& generators();
+
+}  // namespace specbake
