@@ -139,8 +139,8 @@ HWY_INLINE Columns transposed(const float* rows, std::size_t stride) {
 
 /// The one formula of a sample; Columns hold weights or values of different texels.
 HWY_INLINE Vector weightedSum(const Columns& w, const Columns& v) {
-    const Vector low = hn::Add(hn::Mul(w.c0, v.c0), hn::Mul(w.c1, v.c1));
-    return hn::Add(low, hn::Add(hn::Mul(w.c2, v.c2), hn::Mul(w.c3, v.c3)));
+    const Vector first = hn::MulAdd(w.c1, v.c1, hn::Mul(w.c0, v.c0));
+    return hn::MulAdd(w.c3, v.c3, hn::MulAdd(w.c2, v.c2, first));
 }
 
 HWY_INLINE Vector clamped(Vector samples, Vector most) {

@@ -1,7 +1,8 @@
 /// How fast linear colours become samples, one thread, beside two things that write as much: memset
-/// and the product with three fixed spectra (three multiply-adds a sample). Rates are items (texels)
-/// a second; run with --benchmark_enable_random_interleaving=true --benchmark_repetitions=9 and
-/// compare medians, since what else runs on the machine changes them all.
+/// and the product with three fixed spectra (three multiply-adds a sample). Rates are items
+/// (texels) a second; run with --benchmark_enable_random_interleaving=true
+/// --benchmark_repetitions=9 and compare medians, since what else runs on the machine changes them
+/// all.
 #include "lookup.h"
 
 #include <specbake/core/blend.h>
@@ -25,13 +26,14 @@ constexpr std::size_t kSamples = kRows * kWidth * kNodeValues;
 
 enum class Colors { random, coherent };
 
-/// 8-bit sRGB colours: anywhere in the cube, or a slow ramp, most neighbours in one tetrahedron.
+/// 8-bit sRGB colours: anywhere in the cube, or a slow ramp with a dither of one code, so that
+/// most neighbours differ and yet lie in one tetrahedron.
 std::vector<Color> makeColors(Colors kind) {
     std::mt19937 random(1);
     std::vector<Color> colors(kWidth * kRows);
     for (std::size_t i = 0; i < colors.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const auto ramp = unsigned(i % kWidth * 64 / kWidth + 40 * c + 60);
+            const auto ramp = unsigned(i % kWidth * 64 / kWidth + 64 * c + 30 + random() % 2);
             const unsigned code = kind == Colors::random ? unsigned(random() % 256) : ramp;
             colors[i][c] = float(linearFromSRGB(double(code) / 255));
         }
@@ -97,7 +99,12 @@ void threePrimaries(benchmark::State& state, Colors kind) {
 /// The lookup of sRGB textures with its nodes solved.
 class Path {
   public:
-    Path() : observer_("D65"), solver_(observer_), lookup_(17, matrix(), solver_) {
+    Path()
+        : observer_("D65"),
+          solid_(observer_),
+          solver_(observer_),
+          resolver_(solid_, solver_, Outside::nearest),
+          lookup_(17, {matrix(), matrix()}, resolver_) {
         const std::vector<Color> all = makeColors(Colors::random);
         std::vector<Mix> mixes(all.size());
         locate(all, mixes);
@@ -113,7 +120,9 @@ class Path {
         return xyzFromRGB(*findColorSpace("lin_rec709"), observer_.white());
     }
     Observer observer_;
+    Solid solid_;
     SmoothSolver solver_;
+    ColorResolver resolver_;
     SpectrumLookup lookup_;
 };
 

@@ -27,8 +27,9 @@ enum class BlendType { half, float32 };
 /// at 0, bands to [0, 1] (the weights' sum is 1 only to rounding). `planes` and `planeStride` are
 /// multiples of a sample's size; nothing but the samples is written.
 ///
-/// A sample is (w0 v0 + w1 v1) + (w2 v2 + w3 v3), each operation rounded to float: the same bits on
-/// every processor, whatever the texel's neighbours.
+/// A sample is w3 v3 + (w2 v2 + (w1 v1 + w0 v0)), each + with one rounding (fused multiply-add)
+/// where the processor has it, as all with AVX2 and all 64-bit Arm do, else with two. So a sample
+/// has the same bits on all of these, and everywhere it depends on its texel alone.
 void blend(std::span<const Mix> texels, BlendType type, std::byte* planes, std::size_t planeStride);
 
 /// `values` as one plane of that type, not clamped.
