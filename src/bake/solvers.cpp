@@ -10,8 +10,10 @@ MethodSolver::MethodSolver(Method method, bool perTexel, const Observer& observe
     : shell_(observer) {
     if (method == Method::smooth) return;
     using Start = DescentOptions::Start;
+    using Bound = DescentOptions::Bound;
     DescentOptions options;
     options.start = perTexel ? Start::random : Start::flat;
+    options.bound = perTexel ? Bound::kept : Bound::released;
     descent_.emplace(observer, options);
 }
 

@@ -15,8 +15,9 @@ std::string_view methodName(Method method);
 /// where that method does. A report says so by `fellBack`.
 class MethodSolver : public Solver {
   public:
-    /// Descent starts `flat`, which is continuous, for the nodes of a grid; texel by texel it is
-    /// the paper's own, with random starts.
+    /// For the nodes of a grid descent starts `flat`, which is continuous, and releases bounds,
+    /// which does not fail (docs/descent.md); texel by texel it is the paper's own, with random
+    /// starts and bounds kept.
     MethodSolver(Method method, bool perTexel, const Observer& observer);
 
     Solution solve(const XYZ& color) const override;
