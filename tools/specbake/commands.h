@@ -21,6 +21,8 @@ enum ExitCode {
 using Command = std::function<ExitCode()>;
 
 Command addBake(CLI::App& program);
+Command addInspect(CLI::App& program);
+Command addRelight(CLI::App& program);
 Command addVerify(CLI::App& program);
 
 }  // namespace specbake::tool
