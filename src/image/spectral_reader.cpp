@@ -59,6 +59,22 @@ const SpectralHeader& SpectralReader::header() const {
     return implementation_->header;
 }
 
+StorageFacts SpectralReader::facts() const {
+    const OIIO::ImageSpec& spec = implementation_->source.spec();
+    StorageFacts facts;
+    facts.channels = spec.nchannels;
+    facts.sampleType = spec.format.c_str();
+    facts.compression = spec.get_string_attribute("compression", "none");
+    facts.tileWidth = spec.tile_width;
+    facts.tileHeight = spec.tile_height;
+    for (const auto& value : spec.extra_attribs) {
+        const std::string name = value.name().string();
+        if (name.starts_with("oiio:") || name == "compression") continue;
+        facts.attributes.emplace_back(name, value.get_string());
+    }
+    return facts;
+}
+
 std::optional<std::string> SpectralReader::text(const std::string& attribute) const {
     const auto* value = implementation_->source.spec().find_attribute(attribute, OIIO::TypeString);
     if (value == nullptr) return {};

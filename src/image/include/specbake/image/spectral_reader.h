@@ -4,11 +4,23 @@
 #include <specbake/image/spectral_layout.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace specbake {
+
+/// How a file is stored, in words for a user.
+struct StorageFacts {
+    int channels = 0;
+    std::string sampleType;   ///< "half", "float"; of the first channel
+    std::string compression;  ///< "zip", …
+    int tileWidth = 0;        ///< 0: scan lines
+    int tileHeight = 0;
+    std::vector<std::pair<std::string, std::string>> attributes;  ///< each value as text
+};
 
 /// Reads a spectral EXR back through OpenImageIO, by rows. It accepts the bands of this project,
 /// 380 to 780 nm every 5 nm; channels of other names are passed over.
@@ -21,6 +33,8 @@ class SpectralReader {
     ~SpectralReader();
 
     const SpectralHeader& header() const;
+
+    StorageFacts facts() const;
 
     /// A string attribute of the file, or nothing.
     std::optional<std::string> text(const std::string& attribute) const;
