@@ -20,7 +20,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr std::size_t kBlock = 32;  ///< texels that go to their planes together
+constexpr std::size_t kBlock = 64;  ///< texels that go to their planes together
 using Floats = hn::CappedTag<float, 16>;
 constexpr Floats kFloats;
 using Vector = hn::Vec<Floats>;
@@ -57,7 +57,7 @@ class PlaneRows {
                 at = kLine;
             }
             for (; at < kBlock; at += kLine) stream(from + at, to - waiting + at);
-            std::copy_n(block(p) + kBlock - kLine, kLine, line_[p].data());
+            if (waiting > 0) std::copy_n(block(p) + kBlock - kLine, kLine, line_[p].data());
         }
     }
 
@@ -176,6 +176,12 @@ void blendTogether(const Mix* texels, PlaneRows<Sample>& rows, std::size_t at) {
     }
 }
 
+HWY_INLINE void prefetch(const Mix& texel) {
+    for (const float* values : texel.values) {
+        for (std::size_t p = 0; p < kNodeValues; p += 16) hwy::Prefetch(values + p);
+    }
+}
+
 /// One texel's samples, side by side.
 void blendOne(const Mix& texel, float* samples) {
     const auto& [v, weight] = texel;
@@ -193,7 +199,10 @@ void blendOne(const Mix& texel, float* samples) {
 template <class Sample>
 void blendApart(const Mix* texels, PlaneRows<Sample>& rows, std::size_t at) {
     alignas(64) std::array<std::array<float, kNodeStride>, kLanes> samples;
-    for (std::size_t i = 0; i < kLanes; ++i) blendOne(texels[i], samples[i].data());
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        prefetch(texels[std::min(i + 3, kLanes - 1)]);  // three texels take as long as a cache miss
+        blendOne(texels[i], samples[i].data());
+    }
     for (std::size_t p = 0; p < kNodeValues; p += 4) {
         const Columns c = transposed(samples[0].data() + p, kNodeStride);
         store(c.c0, rows.block(p) + at);

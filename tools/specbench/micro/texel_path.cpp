@@ -21,7 +21,7 @@ namespace {
 using Color = std::array<float, 3>;
 
 constexpr std::size_t kWidth = 2048;
-constexpr std::size_t kRows = 16;  ///< of a chunk
+constexpr std::size_t kRows = 128;  ///< more samples than caches hold
 constexpr std::size_t kSamples = kRows * kWidth * kNodeValues;
 
 enum class Colors { random, coherent };
@@ -33,7 +33,7 @@ std::vector<Color> makeColors(Colors kind) {
     std::vector<Color> colors(kWidth * kRows);
     for (std::size_t i = 0; i < colors.size(); ++i) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const auto ramp = unsigned(i % kWidth * 64 / kWidth + 64 * c + 30 + random() % 2);
+            const auto ramp = unsigned(i % kWidth * 16 / kWidth + 64 * c + 30 + random() % 2);
             const unsigned code = kind == Colors::random ? unsigned(random() % 256) : ramp;
             colors[i][c] = float(linearFromSRGB(double(code) / 255));
         }
