@@ -20,6 +20,9 @@ class GridMargin {
     /// The grid and the solid must outlive it.
     GridMargin(const Grid& grid, const Imath::M33d& xyzFromGrid, const Solid& solid);
 
+    /// Whether it is 1 everywhere.
+    bool wholeCube() const { return wholeCube_; }
+
     /// The margin at the point of a simplex, in [0, 1].
     float at(const GridSimplex& simplex);
 

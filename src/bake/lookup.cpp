@@ -15,7 +15,9 @@ bool isFinite(const Color& color) {
 }
 
 bool isInUnitCube(const Color& color) {
-    return std::all_of(color.begin(), color.end(), [](float v) { return v >= 0 && v <= 1; });
+    bool inside = true;
+    for (const float v : color) inside = inside & (v >= 0) & (v <= 1);
+    return inside;
 }
 
 /// (1 - weight) a + weight b
@@ -54,8 +56,31 @@ SpectrumLookup::SpectrumLookup(std::optional<int> gridNodes, const LookupSpaces&
 
 void SpectrumLookup::locate(std::span<const Color> colors, std::size_t firstTexel,
                             std::span<Mix> mixes, Scratch& scratch, TexelCensus& census) {
+    for (std::size_t i = 0; i < colors.size(); i += kRun) {
+        const std::size_t count = std::min(kRun, colors.size() - i);
+        locateRun(colors.subspan(i, count), firstTexel + i, mixes.data() + i, scratch, census);
+    }
+}
+
+/// A run as long as its places in the grid may stand on the stack.
+void SpectrumLookup::locateRun(std::span<const Color> colors, std::size_t firstTexel, Mix* mixes,
+                               Scratch& scratch, TexelCensus& census) {
+    std::array<std::array<std::uint32_t, 4>, kRun> nodes;
+    std::array<std::array<float, 4>, kRun> weights;
+    const bool wholly = lattice_ && !gridFromTexel_ && lattice_->margin.wholeCube();
+    if (wholly) lattice_->grid.locate(colors, nodes, weights);
+    bool inGrid = false;
     Found found;
     for (std::size_t i = 0; i < colors.size(); ++i) {
+        if (inGrid && nodes[i] == nodes[i - 1] && isInUnitCube(colors[i])) {
+            mixes[i] = {mixes[i - 1].values, weights[i]};
+            continue;
+        }
+        inGrid = wholly && isInUnitCube(colors[i]) && lattice_->store.at(nodes[i], mixes[i].values);
+        if (inGrid) {
+            mixes[i].weights = weights[i];
+            continue;
+        }
         if (i == 0 || colors[i] != colors[i - 1]) found = find(colors[i], scratch);
         mixes[i] = found.mix;
         if (found.solved) census.meet(firstTexel + i, found.solved->fate, found.solved->difference);
@@ -87,10 +112,7 @@ SpectrumLookup::Place SpectrumLookup::placeInGrid(const Color& point) {
     place.margin = lattice_->margin.at(simplex);
     if (place.margin == 0) return place;
     place.mix.weights = simplex.weight;
-    for (std::size_t k = 0; k < 4; ++k) {
-        place.mix.values[k] = lattice_->store.at(simplex.node[k]);
-        if (place.mix.values[k] == nullptr) return {};
-    }
+    if (!lattice_->store.at(simplex.node, place.mix.values)) return {};
     return place;
 }
 

@@ -57,6 +57,10 @@ class SpectrumLookup {
         const SolvedTexel* solved = nullptr;  ///< none: a blend of the grid's nodes alone
     };
 
+    static constexpr std::size_t kRun = 64;
+
+    void locateRun(std::span<const Color> colors, std::size_t firstTexel, Mix* mixes,
+                   Scratch& scratch, TexelCensus& census);
     Color gridPoint(const Color& color) const;
     Place placeInGrid(const Color& point);
     Found find(const Color& color, Scratch& scratch);

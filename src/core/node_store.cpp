@@ -1,5 +1,6 @@
 #include <specbake/core/node_store.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 #include <thread>
@@ -27,7 +28,7 @@ NodeStore::NodeStore(std::size_t nodeCount, Finder finder)
       state_(std::make_unique<std::atomic<std::uint8_t>[]>(nodeCount)),
       values_(reserve(nodeCount), release) {}
 
-const float* NodeStore::at(std::uint32_t node) {
+const float* NodeStore::findOrWait(std::uint32_t node) {
     std::uint8_t state = state_[node].load(std::memory_order_acquire);
     if (state == unknown) {
         find(node);
@@ -38,6 +39,11 @@ const float* NodeStore::at(std::uint32_t node) {
         state = state_[node].load(std::memory_order_acquire);
     }
     return state == present ? values_[node].value.data() : nullptr;
+}
+
+bool NodeStore::findOrWait(const Simplex& nodes, std::array<const float*, 4>& values) {
+    for (std::size_t k = 0; k < 4; ++k) values[k] = findOrWait(nodes[k]);
+    return std::find(values.begin(), values.end(), nullptr) == values.end();
 }
 
 /// Two threads may both find a node; the first to arrive stores it, and both found the same.

@@ -1,3 +1,4 @@
+#include <specbake/core/error.h>
 #include <specbake/core/shell.h>
 
 #include <algorithm>
@@ -9,8 +10,6 @@ namespace specbake {
 namespace {
 
 using enum SolveReport::Status;
-
-constexpr double kRelativeDepth = 1.0 / 256;  ///< δ
 
 double largest(const Imath::V3d& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -38,13 +37,17 @@ Solution report(const Observer& observer, const XYZ& color, const Spectrum& spec
 
 }  // namespace
 
-ShellSolver::ShellSolver(const Observer& observer)
-    : observer_(observer), solid_(observer), smooth_(observer) {}
+ShellSolver::ShellSolver(const Observer& observer, double relativeDepth)
+    : relativeDepth_(relativeDepth), observer_(observer), solid_(observer), smooth_(observer) {
+    if (!(relativeDepth > 0 && relativeDepth <= 1)) {
+        throw ArgumentError("the shell's relative depth must be above 0 and at most 1");
+    }
+}
 
 double ShellSolver::depth(const XYZ& boundary) const {
     const XYZ& white = solid_.white();
     const double m = (boundary.x + boundary.y + boundary.z) / (white.x + white.y + white.z);
-    return std::max(0.0, kRelativeDepth * 4 * m * (1 - m));
+    return std::max(0.0, relativeDepth_ * 4 * m * (1 - m));
 }
 
 Solution ShellSolver::solve(const XYZ& color) const {

@@ -6,6 +6,10 @@
 #include <isa-l/igzip_lib.h>
 #include <libdeflate.h>
 
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
+
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -32,6 +36,19 @@ std::vector<std::uint8_t> splitAndPredict(std::span<const std::byte> samples) {
     return predicted;
 }
 
+/// ISA-L may return with the upper halves of the vector registers in use. On many processors that
+/// makes all SSE code of the thread several times slower from then on, the C library's included.
+#ifdef __x86_64__
+__attribute__((target("avx"))) void clearUpperHalves() {
+    _mm256_zeroupper();
+}
+void restoreVectorState() {
+    if (__builtin_cpu_supports("avx")) clearUpperHalves();
+}
+#else
+void restoreVectorState() {}
+#endif
+
 /// Compresses into `packed`; false if it does not fit.
 bool deflateFast(std::span<const std::uint8_t> bytes, int level, std::vector<std::byte>& packed) {
     constexpr std::array<std::size_t, 4> bufferSizes = {
@@ -48,7 +65,9 @@ bool deflateFast(std::span<const std::uint8_t> bytes, int level, std::vector<std
     stream->avail_in = std::uint32_t(bytes.size());
     stream->next_out = reinterpret_cast<std::uint8_t*>(packed.data());
     stream->avail_out = std::uint32_t(packed.size());
-    if (isal_deflate_stateless(stream.get()) != COMP_OK) return false;
+    const int result = isal_deflate_stateless(stream.get());
+    restoreVectorState();
+    if (result != COMP_OK) return false;
     packed.resize(stream->total_out);
     return true;
 }

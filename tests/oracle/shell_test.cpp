@@ -1,5 +1,6 @@
 #include "support/solid_samples.h"
 
+#include <specbake/core/error.h>
 #include <specbake/core/shell.h>
 
 #include <doctest/doctest.h>
@@ -35,6 +36,20 @@ XYZ atGauge(Random& random, const Solid& solid, double gauge) {
     return XYZ(solid.center() + d * (gauge / solid.gauge(XYZ(solid.center() + d))));
 }
 
+/// 1 over a few bands, at the ends over parts of them, and 0 elsewhere; or the opposite.
+Spectrum narrowBand(Random& random) {
+    const double first = random(0, kBandCount);
+    const double last = first + std::pow(10.0, random(-2, 1));
+    const bool opposite = random(0, 1) < 0.5;
+    Spectrum s;
+    for (int m = 0; m < kBandCount; ++m) {
+        const double part =
+            std::clamp(std::min(last, m + 1.0) - std::max(first, 1.0 * m), 0.0, 1.0);
+        s[std::size_t(m)] = opposite ? 1 - part : part;
+    }
+    return s;
+}
+
 /// A random colour of the cube [0, 1]^3 with `fixed` of its components at 0 or 1.
 RGB inCube(Random& random, int fixed) {
     RGB rgb(random(0, 1), random(0, 1), random(0, 1));
@@ -65,7 +80,7 @@ TEST_CASE("the layer under the boundary and the boundary itself are solved") {
         const ShellSolver solver(observer);
         Random random(22);
         for (const double gauge : {0.9, 0.99, 0.999, 0.9999, 0.99999, 0.999999, 1.0}) {
-            for (int i = 0; i < 200; ++i) {
+            for (int i = 0; i < 100; ++i) {
                 solveExactly(solver, observer, atGauge(random, solver.solid(), gauge));
                 const XYZ rim = random.inBase(observer);
                 const Imath::V3d fromCenter = rim - solver.solid().center();
@@ -179,6 +194,25 @@ TEST_CASE("the layer joins the smooth solution above it and the boundary spectru
         CHECK(maxDifference(at(depth * step).spectrum, solid.boundary(boundary).spectrum) <=
               2 * step + 1e-6);
     }
+}
+
+TEST_CASE("where Newton fails below the layer, a deeper colour of the ray takes its place") {
+    const Observer observer("F11");
+    const ShellSolver solver(observer, 1e-10);
+    const SmoothSolver smooth(observer);
+    Random random(29);
+    int failures = 0;
+    for (int i = 0; i < 150; ++i) {
+        const XYZ boundary = observer.color(narrowBand(random));
+        const XYZ t(solver.solid().center() + (boundary - solver.solid().center()) * (1 - 1e-9));
+        if (smooth.solve(t).solved()) continue;
+        ++failures;
+        const SolveReport report = solveExactly(solver, observer, t);
+        CHECK(report.blended);
+    }
+    CHECK(failures > 0);
+    CHECK_THROWS_AS(ShellSolver(observer, 0), ArgumentError);
+    CHECK_THROWS_AS(ShellSolver(observer, 1.5), ArgumentError);
 }
 
 TEST_CASE("near colours get near spectra in the sRGB cube") {

@@ -87,7 +87,7 @@ TEST_CASE("a boundary colour's spectrum has that colour and is bounded") {
         const Observer observer(name);
         const Solid solid(observer);
         Random random(4);
-        for (int i = 0; i < 5000; ++i) {
+        for (int i = 0; i < 2000; ++i) {
             const Solid::Boundary exit = solid.boundary(random.onBoundary(observer, solid));
             CHECK(withinBounds(exit.spectrum));
             CHECK(std::abs(exit.gauge - 1) <= solid.gaugeError());
@@ -143,7 +143,7 @@ TEST_CASE("the boundary spectrum is continuous over sides, bases and their rims"
         const Solid solid(observer);
         Random random(7);
         double worst = 0;
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < 120; ++i) {
             // Halve a segment 40 times, each time keeping the half over which the spectrum changes
             // more: a jump would stay.
             XYZ a = random.onBoundary(observer, solid);

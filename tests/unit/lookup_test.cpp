@@ -1,6 +1,6 @@
 #include "lookup.h"
 
-#include <specbake/core/smooth.h>
+#include <specbake/core/shell.h>
 
 #include <doctest/doctest.h>
 
@@ -48,7 +48,7 @@ struct Bench {
     ColorSpace space;
     Observer observer;
     Solid solid;
-    SmoothSolver solver;
+    ShellSolver solver;
     ColorResolver resolver;
     Imath::M33d matrix;
     SpectrumLookup lookup;
@@ -73,7 +73,7 @@ TEST_CASE("a looked-up spectrum has its texel's colour, in and across cut cells"
         int compared = 0;
         for (int trial = 0; trial < 3000; ++trial) {
             const std::array<float, 3> color = {uniform(random), uniform(random), uniform(random)};
-            if (bench.solid.gauge(bench.color(color)) > 0.99) continue;
+            if (bench.solid.gauge(bench.color(color)) > 1) continue;
             const auto [spectrum, census] = bench.at(color);
             CHECK(largest(bench.observer.color(spectrum) - bench.color(color)) < kFloatRounding);
             CHECK(boundsViolation(spectrum) <= 4 * 0x1p-24);

@@ -8,7 +8,8 @@
 
 namespace specbake {
 
-/// A texel's values as a convex combination of four stored ones (kNodeStride floats each).
+/// A texel's values as a convex combination of four stored ones: each kNodeStride floats, aligned
+/// as NodeValues are.
 struct Mix {
     std::array<const float*, 4> values;
     std::array<float, 4> weights;
@@ -21,9 +22,14 @@ inline Mix only(const float* values) {
 
 enum class BlendType { half, float32 };
 
-/// Blends a row of texels into kNodeValues planes: plane p begins at
-/// `planes + p * planeStride` bytes and gets one sample a texel, half (rounded to nearest even) or
-/// float. Previews are clamped at 0, bands to [0, 1] (the weights' sum is 1 only to rounding).
+/// Blends a row of texels into kNodeValues planes: plane p begins at `planes + p * planeStride`
+/// bytes and gets one sample a texel, half (rounded to nearest even) or float. Previews are clamped
+/// at 0, bands to [0, 1] (the weights' sum is 1 only to rounding). `planes` and `planeStride` are
+/// multiples of a sample's size; nothing but the samples is written.
+///
+/// A sample is w3 v3 + (w2 v2 + (w1 v1 + w0 v0)), each + with one rounding (fused multiply-add)
+/// where the processor has it, as all with AVX2 and all 64-bit Arm do, else with two. So a sample
+/// has the same bits on all of these, and everywhere it depends on its texel alone.
 void blend(std::span<const Mix> texels, BlendType type, std::byte* planes, std::size_t planeStride);
 
 /// `values` as one plane of that type, not clamped.

@@ -20,6 +20,10 @@ class GridAxis {
 
     int nodes() const { return int(position_.size()); }
     float position(int node) const { return position_[std::size_t(node)]; }
+    std::span<const float> positions() const { return position_; }
+    /// 1 / (position(i + 1) - position(i)) of cell i.
+    std::span<const float> inverseWidths() const { return inverseWidth_; }
+    float cells() const { return cells_; }
 
     struct Place {
         int cell;        ///< the cell between nodes `cell` and `cell + 1`
@@ -57,6 +61,11 @@ class Grid {
 
     /// The tetrahedron of a point; each coordinate in [0, 1].
     GridSimplex locate(const std::array<float, 3>& point) const;
+    /// The same for many points, much faster: the same bits. Coordinates outside [0, 1] are
+    /// clamped, NaN gives any tetrahedron.
+    void locate(std::span<const std::array<float, 3>> points,
+                std::span<std::array<std::uint32_t, 4>> nodes,
+                std::span<std::array<float, 4>> weights) const;
 
     /// The position of a node.
     std::array<float, 3> position(std::uint32_t node) const;

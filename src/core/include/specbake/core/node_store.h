@@ -2,6 +2,7 @@
 
 #include <specbake/core/node_values.h>
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -19,7 +20,23 @@ class NodeStore {
     NodeStore(std::size_t nodeCount, Finder finder);
 
     /// The values of a node, kNodeStride floats, or nullptr where there are none.
-    const float* at(std::uint32_t node);
+    const float* at(std::uint32_t node) {
+        const bool there = state_[node].load(std::memory_order_acquire) == present;
+        return there ? values_[node].value.data() : findOrWait(node);
+    }
+
+    using Simplex = std::array<std::uint32_t, 4>;
+    /// The values of four nodes; false where one has none.
+    bool at(const Simplex& nodes, std::array<const float*, 4>& values) {
+        const auto* const state = state_.get();
+        const NodeValues* const all = values_.get();
+        bool there = true;
+        for (std::size_t k = 0; k < 4; ++k) {
+            there &= state[nodes[k]].load(std::memory_order_acquire) == present;
+            values[k] = all[nodes[k]].value.data();
+        }
+        return there || findOrWait(nodes, values);
+    }
 
     /// How many nodes were asked for so far.
     std::size_t foundCount() const { return found_.load(); }
@@ -27,6 +44,8 @@ class NodeStore {
   private:
     enum State : std::uint8_t { unknown, arriving, present, absent };
 
+    const float* findOrWait(std::uint32_t node);
+    bool findOrWait(const Simplex& nodes, std::array<const float*, 4>& values);
     void find(std::uint32_t node);
 
     Finder finder_;

@@ -23,15 +23,19 @@ namespace specbake {
 /// black its problem only scales, and so does D, so that a colour's chromaticity decides whether it
 /// is in the layer, however dark it is.
 ///
-/// δ = 1/64 was found by measurement, over 4·10^5 colours at depths of 10^-4 to 10^-1 times
-/// 4m(1 − m), one for each of E, A, D65, F11, half of them at the narrow ends of the solid: the
-/// deepest failure of Newton's method was at 8·10^-4 (F11), a twentieth of δ. Of the surface of the
-/// sRGB cube, dark colours included, the nearest to the boundary is at 0.040, so that sRGB never
-/// meets the layer. Should Newton fail in spite of that, D is enlarged until it does not: on the
-/// grey axis it cannot.
+/// δ = 1/256 was found by measurement (kRelativeDepth). Should Newton fail in spite of it, D is
+/// doubled until it does not: on the grey axis it cannot.
 class ShellSolver : public Solver {
   public:
-    explicit ShellSolver(const Observer& observer);
+    /// δ. Of 1.5·10^6 colours, over all illuminants, at depths of 2^-10 to 2^-4 times 4m(1 − m),
+    /// half of them at the narrow ends of the solid, Newton failed on one: at 0.0032, within 10^-5
+    /// of the white of F11. The next was at 0.0008, in another sample. The surface of the sRGB
+    /// cube, dark colours included, is nowhere nearer than 0.040: sRGB never meets the layer. Under
+    /// a thicker layer more colours have the boundary's steep spectra mixed in.
+    static constexpr double kRelativeDepth = 1.0 / 256;
+
+    /// 0 < relativeDepth <= 1, else throws ArgumentError.
+    explicit ShellSolver(const Observer& observer, double relativeDepth = kRelativeDepth);
 
     /// `solved` for every colour of the solid, and for those that rounding alone puts outside
     /// (gauge at most 1 + 4 gaugeError(), what an 81-term sum or a matrix adds); residual <= 1e-11.
@@ -47,6 +51,7 @@ class ShellSolver : public Solver {
   private:
     Solution blend(const XYZ& color) const;
 
+    double relativeDepth_;
     Observer observer_;
     Solid solid_;
     SmoothSolver smooth_;

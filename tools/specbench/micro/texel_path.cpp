@@ -1,0 +1,169 @@
+/// How fast linear colours become samples, one thread, beside two things that write as much: memset
+/// and the product with three fixed spectra (three multiply-adds a sample). Rates are items
+/// (texels) a second; run with --benchmark_enable_random_interleaving=true
+/// --benchmark_repetitions=9 and compare medians, since what else runs on the machine changes them
+/// all.
+#include "lookup.h"
+
+#include <specbake/core/blend.h>
+#include <specbake/core/smooth.h>
+
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace specbake {
+namespace {
+
+using Color = std::array<float, 3>;
+
+constexpr std::size_t kWidth = 2048;
+constexpr std::size_t kRows = 128;  ///< more samples than caches hold
+constexpr std::size_t kSamples = kRows * kWidth * kNodeValues;
+
+enum class Colors { random, coherent };
+
+/// 8-bit sRGB colours: anywhere in the cube, or a slow ramp with a dither of one code, so that
+/// most neighbours differ and yet lie in one tetrahedron.
+std::vector<Color> makeColors(Colors kind) {
+    std::mt19937 random(1);
+    std::vector<Color> colors(kWidth * kRows);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto ramp = unsigned(i % kWidth * 16 / kWidth + 64 * c + 30 + random() % 2);
+            const unsigned code = kind == Colors::random ? unsigned(random() % 256) : ramp;
+            colors[i][c] = float(linearFromSRGB(double(code) / 255));
+        }
+    }
+    return colors;
+}
+
+/// Cache-line aligned memory, touched, so that the timing meets no page fault.
+class Planes {
+  public:
+    explicit Planes(std::size_t bytes)
+        : bytes_(bytes), memory_(new (std::align_val_t(64)) std::byte[bytes]) {
+        std::memset(memory_.get(), 1, bytes);
+    }
+    std::byte* data() { return memory_.get(); }
+    std::size_t size() const { return bytes_; }
+
+  private:
+    struct Free {
+        void operator()(std::byte* p) const { ::operator delete[](p, std::align_val_t(64)); }
+    };
+    std::size_t bytes_;
+    std::unique_ptr<std::byte[], Free> memory_;
+};
+
+void countTexels(benchmark::State& state) {
+    state.SetItemsProcessed(std::int64_t(state.iterations()) * std::int64_t(kWidth * kRows));
+}
+
+void memsetPlanes(benchmark::State& state, std::size_t sampleBytes) {
+    Planes planes(kSamples * sampleBytes);
+    for (auto _ : state) {
+        std::memset(planes.data(), 2, planes.size());
+        benchmark::ClobberMemory();
+    }
+    countTexels(state);
+}
+
+void threePrimaries(benchmark::State& state, Colors kind) {
+    const std::vector<Color> colors = makeColors(kind);
+    Planes planes(kSamples * sizeof(float));
+    std::array<std::array<float, kNodeValues>, 3> basis;
+    for (auto& b : basis) b.fill(0.3F);
+    std::vector<float> red(kWidth), green(kWidth), blue(kWidth);
+    for (auto _ : state) {
+        auto* out = reinterpret_cast<float*>(planes.data());
+        for (std::size_t y = 0; y < kRows; ++y) {
+            for (std::size_t x = 0; x < kWidth; ++x) {
+                const Color& color = colors[y * kWidth + x];
+                red[x] = color[0], green[x] = color[1], blue[x] = color[2];
+            }
+            for (std::size_t p = 0; p < kNodeValues; ++p, out += kWidth) {
+                for (std::size_t x = 0; x < kWidth; ++x) {
+                    out[x] = basis[0][p] * red[x] + basis[1][p] * green[x] + basis[2][p] * blue[x];
+                }
+            }
+        }
+        benchmark::ClobberMemory();
+    }
+    countTexels(state);
+}
+
+/// The lookup of sRGB textures with its nodes solved.
+class Path {
+  public:
+    Path()
+        : observer_("D65"),
+          solid_(observer_),
+          solver_(observer_),
+          resolver_(solid_, solver_, Outside::nearest),
+          lookup_(17, {matrix(), matrix()}, resolver_) {
+        const std::vector<Color> all = makeColors(Colors::random);
+        std::vector<Mix> mixes(all.size());
+        locate(all, mixes);
+    }
+    void locate(std::span<const Color> colors, std::span<Mix> mixes) {
+        SpectrumLookup::Scratch scratch;
+        TexelCensus census;
+        lookup_.locate(colors, 0, mixes, scratch, census);
+    }
+
+  private:
+    Imath::M33d matrix() const {
+        return xyzFromRGB(*findColorSpace("lin_rec709"), observer_.white());
+    }
+    Observer observer_;
+    Solid solid_;
+    SmoothSolver solver_;
+    ColorResolver resolver_;
+    SpectrumLookup lookup_;
+};
+
+void texelPath(benchmark::State& state, Colors kind, BlendType type) {
+    const std::vector<Color> colors = makeColors(kind);
+    const std::size_t stride = kWidth * (type == BlendType::half ? 2 : 4);
+    Planes planes(kRows * kNodeValues * stride);
+    Path path;
+    std::vector<Mix> mixes(kWidth);
+    for (auto _ : state) {
+        for (std::size_t y = 0; y < kRows; ++y) {
+            path.locate(std::span(colors).subspan(y * kWidth, kWidth), mixes);
+            blend(mixes, type, planes.data() + y * kNodeValues * stride, stride);
+        }
+        benchmark::ClobberMemory();
+    }
+    countTexels(state);
+}
+
+void locateOnly(benchmark::State& state, Colors kind) {
+    const std::vector<Color> colors = makeColors(kind);
+    Path path;
+    std::vector<Mix> mixes(colors.size());
+    for (auto _ : state) {
+        path.locate(colors, mixes);
+        benchmark::ClobberMemory();
+    }
+    countTexels(state);
+}
+
+BENCHMARK_CAPTURE(memsetPlanes, float, sizeof(float));
+BENCHMARK_CAPTURE(memsetPlanes, half, std::size_t(2));
+BENCHMARK_CAPTURE(threePrimaries, float, Colors::random);
+BENCHMARK_CAPTURE(texelPath, random_float, Colors::random, BlendType::float32);
+BENCHMARK_CAPTURE(texelPath, coherent_float, Colors::coherent, BlendType::float32);
+BENCHMARK_CAPTURE(texelPath, random_half, Colors::random, BlendType::half);
+BENCHMARK_CAPTURE(texelPath, coherent_half, Colors::coherent, BlendType::half);
+BENCHMARK_CAPTURE(locateOnly, random, Colors::random);
+BENCHMARK_CAPTURE(locateOnly, coherent, Colors::coherent);
+
+}  // namespace
+}  // namespace specbake
+
+BENCHMARK_MAIN();
