@@ -18,6 +18,7 @@ Attributes bakedAttributes(const Attributes& texture, const BakeOptions& options
     all["specbake:version"] = kVersion;
     all["specbake:method"] = std::string(methodName(options.method));
     all["specbake:grid"] = options.perTexel ? 0 : options.grid;
+    if (options.storage.sampleType == SampleType::half) all["specbake:bits"] = options.bits;
     all["specbake:illuminant"] = illuminant;
     all["specbake:observer"] = kObserver;
     all["specbake:colorspace"] = space.name;

@@ -25,16 +25,14 @@ ColorAnswer solveColor(const ColorRequest& request) {
     const ColorSpace* space = findColorSpace(request.space);
     if (space == nullptr) throw ArgumentError("unknown colour space '" + request.space + "'");
     const Observer observer(request.illuminant.value_or(space->illuminant));
-    const Solid solid(observer);
-    BakeOptions options;
-    options.method = request.method;
-    const auto solver = makeSolver(options, observer, solid);
+    const MethodSolver solver(request.method, false, observer);
+    const Solid& solid = solver.solid();
 
     ColorAnswer answer;
     answer.illuminant = observer.illuminant();
     answer.asked = colorOf(request, *space, observer);
     answer.gauge = solid.gauge(answer.asked);
-    const auto resolved = ColorResolver(solid, *solver, request.outside).resolve(answer.asked);
+    const auto resolved = ColorResolver(solid, solver, request.outside).resolve(answer.asked);
     answer.solution = resolved.solution;
     answer.given = resolved.given;
     answer.outside = resolved.outside;

@@ -57,8 +57,8 @@ class Comparison {
   public:
     Comparison(const std::string& spectral, const std::string& texture,
                const VerifyOptions& options)
-        : spectral_(spectral),
-          texture_(texture),
+        : spectral_(spectral, threadCount(options.threads)),
+          texture_(texture, threadCount(options.threads)),
           space_(spaceOf(options)),
           observer_(options.illuminant.value_or(
               spectral_.text("specbake:illuminant").value_or(space_.illuminant))),

@@ -22,27 +22,31 @@ class Knots {
     std::size_t count_ = 0;
 };
 
+struct Sample {
+    double value;
+    double slope;
+};
+
 /// The root of a function that is monotone on [low, high] and has different signs at its ends:
-/// Newton from `low`, bisection where a step leaves the bracket or does not halve it in two.
+/// Newton from `low`, bisection where a step leaves the bracket or is not half of the one before.
 /// Ends when the bracket or the step is down to rounding.
-template <class Function, class Slope>
-double monotoneRoot(const Function& function, const Slope& slope, double low, double high) {
-    const double atLow = function(low);
-    if (atLow == 0) return low;
-    const double epsilon = 2 * std::numeric_limits<double>::epsilon();
+template <class Function>
+double monotoneRoot(const Function& function, double low, double high) {
+    constexpr double epsilon = 2 * std::numeric_limits<double>::epsilon();
+    Sample at = function(low);
+    const bool positiveAtLow = at.value > 0;
     double x = low;
-    double value = atLow;
-    double previousStep = high - low;
-    while (high - low > epsilon * high) {
-        double next = x - value / slope(x);
-        if (!(next > low && next < high) || std::abs(next - x) > previousStep / 2) {
+    double step = high - low;
+    while (at.value != 0 && high - low > epsilon * high) {
+        double next = x - at.value / at.slope;
+        if (!(next > low && next < high) || std::abs(next - x) > step / 2) {
             next = low + (high - low) / 2;
         }
-        previousStep = std::abs(next - x);
+        step = std::abs(next - x);
         x = next;
-        value = function(x);
-        if (value == 0 || previousStep <= epsilon * x) break;
-        ((value > 0) == (atLow > 0) ? low : high) = x;
+        if (step <= epsilon * x) break;
+        at = function(x);
+        ((at.value > 0) == positiveAtLow ? low : high) = x;
     }
     return x;
 }
@@ -59,13 +63,12 @@ struct ScaledSlope {
           d2(decay.rates.y - decay.rates.x),
           d3(decay.rates.z - decay.rates.x) {}
 
-    double value(double time) const {
-        return b1 + b2 * std::exp(-d2 * time) + b3 * std::exp(-d3 * time);
+    Sample at(double time) const {
+        const double second = b2 * std::exp(-d2 * time);
+        const double third = b3 * std::exp(-d3 * time);
+        return {b1 + second + third, -d2 * second - d3 * third};
     }
-    double slope(double time) const {
-        return -d2 * b2 * std::exp(-d2 * time) - d3 * b3 * std::exp(-d3 * time);
-    }
-    /// Where slope() is 0; infinite or NaN where it never is.
+    /// Where its own slope is 0; infinite or NaN where it never is.
     double turningTime() const { return std::log(-(d3 * b3) / (d2 * b2)) / (d3 - d2); }
 };
 
@@ -80,14 +83,24 @@ Knots monotonePieces(const Decay& decay, double end) {
     Knots knots(0);
     double low = 0;
     for (const double high : pieces) {
-        if (g.value(low) * g.value(high) < 0) {
-            knots.add(monotoneRoot([&](double t) { return g.value(t); },
-                                   [&](double t) { return g.slope(t); }, low, high));
+        if (g.at(low).value * g.at(high).value < 0) {
+            knots.add(monotoneRoot([&](double t) { return g.at(t); }, low, high));
         }
         low = high;
     }
     if (knots.back() < end) knots.add(end);
     return knots;
+}
+
+/// value - bound, and the slope.
+Sample excessOver(double bound, const Decay& decay, double time) {
+    Sample sample{decay.start - bound, 0};
+    for (int k = 0; k < 3; ++k) {
+        const double fall = std::expm1(-decay.rates[k] * time);
+        sample.value += decay.amplitudes[k] * fall;
+        sample.slope -= decay.rates[k] * decay.amplitudes[k] * (1 + fall);
+    }
+    return sample;
 }
 
 }  // namespace
@@ -97,21 +110,14 @@ double Decay::value(double time) const {
            amplitudes.y * std::expm1(-rates.y * time) + amplitudes.z * std::expm1(-rates.z * time);
 }
 
-double Decay::slope(double time) const {
-    return -rates.x * amplitudes.x * std::exp(-rates.x * time) -
-           rates.y * amplitudes.y * std::exp(-rates.y * time) -
-           rates.z * amplitudes.z * std::exp(-rates.z * time);
-}
-
 std::optional<Exit> firstExit(const Decay& decay, double end) {
     double low = 0;
     for (const double high : monotonePieces(decay, end)) {
         const double value = decay.value(high);
         if (value < 0 || value > 1) {
             const double bound = value < 0 ? 0 : 1;
-            const double time = monotoneRoot([&](double t) { return decay.value(t) - bound; },
-                                             [&](double t) { return decay.slope(t); }, low, high);
-            return Exit{time, bound};
+            const auto excess = [&](double t) { return excessOver(bound, decay, t); };
+            return Exit{monotoneRoot(excess, low, high), bound};
         }
         low = high;
     }

@@ -16,7 +16,6 @@ struct Decay {
     Imath::V3d rates;
 
     double value(double time) const;
-    double slope(double time) const;
 };
 
 struct Exit {

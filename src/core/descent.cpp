@@ -12,6 +12,10 @@
 namespace specbake {
 namespace {
 
+/// The share of the residual that a release has to have gained for another one: colours outside
+/// the solid would approach its nearest point for ever.
+constexpr double kLeastGain = 1e-6;
+
 /// One descent from one start.
 class Descent {
   public:
@@ -60,11 +64,10 @@ class Descent {
     std::size_t fewest() const { return options_.bound == DescentOptions::Bound::kept ? 3 : 1; }
 
     /// Where the start is stuck: frees the components at a bound that the gradient pushes inward.
-    /// False where there are none, where nothing was gained since the last time, and where bounds
-    /// are kept.
+    /// False where too little was gained since the last time, and where bounds are kept.
     bool release() {
         if (options_.bound == DescentOptions::Bound::kept) return false;
-        if (!(residual_.length() < residualAtRelease_)) return false;
+        if (!(residual_.length() < (1 - kLeastGain) * residualAtRelease_)) return false;
         residualAtRelease_ = residual_.length();
         free_ = FreeSet();
         free_.removeIf([&](std::size_t m) {

@@ -39,6 +39,9 @@ class FlowPath {
     std::optional<Hit> firstHit() const;
 
   private:
+    /// A time at which a component is outside, so that the first hit is before it; else the end.
+    double timeBeyondHit() const;
+
     const Weights& weights_;
     const FreeSet& free_;
     const Spectrum& start_;

@@ -46,9 +46,21 @@ double FlowPath::velocity(std::size_t band) const {
     return -weights_[band].dot(residual_);
 }
 
+double FlowPath::timeBeyondHit() const {
+    for (double time = 1 / (8 * rates_.z); time < end_; time *= 2) {
+        const Imath::V3d fall = fallUntil(rates_, time);
+        const Imath::V3d move = modes_[0] * fall.x + modes_[1] * fall.y + modes_[2] * fall.z;
+        for (const std::size_t m : free_) {
+            const double s = start_[m] + weights_[m].dot(move);
+            if (s < 0 || s > 1) return time;
+        }
+    }
+    return end_;
+}
+
 std::optional<Hit> FlowPath::firstHit() const {
     std::optional<Hit> first;
-    double end = end_;
+    double end = timeBeyondHit();
     Imath::V3d fall = fallUntil(rates_, end);
     for (const std::size_t m : free_) {
         const Decay decay = component(m);

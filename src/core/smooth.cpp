@@ -26,8 +26,21 @@ struct Point {
     V3d multipliers{0.0};
 };
 
-double reflectance(double z) {
-    return 1 / (1 + std::exp(-2 * z));  // ½(1 + tanh z), without cancellation in the dark
+/// s = ½(1 + tanh z), its complement and ds/dz = 2 s (1 - s), none with cancellation.
+struct Reflectance {
+    double value;
+    double complement;
+    double slope;
+};
+
+/// Beyond |z| = 150 the smaller of s and 1 - s is below 1e-130: held there, since products of
+/// smaller numbers would be subnormal, which many processors are slow at.
+Reflectance reflectanceOf(double z) {
+    const double e = std::exp(-2 * std::min(std::abs(z), 150.0));
+    const double larger = 1 / (1 + e);
+    const double smaller = e * larger;
+    const double slope = 2 * larger * smaller;
+    return z < 0 ? Reflectance{smaller, larger, slope} : Reflectance{larger, smaller, slope};
 }
 
 /// The Lagrangian's first and second derivatives at a point.
@@ -44,22 +57,21 @@ struct Linearisation {
     double residual() const { return largest(gradient.y); }
 };
 
-/// L = ½ Σ (z_{m+1} - z_m)² + λ·(W s(z) - t), with ds/dz = 2 s (1 - s).
+/// L = ½ Σ (z_{m+1} - z_m)² + λ·(W s(z) - t)
 Linearisation linearise(const Observer& observer, const XYZ& target, const Point& p) {
     const auto& w = observer.weights();
     constexpr std::size_t last = kBandCount - 1;
     Linearisation l;
     l.gradient.y = -target;
     for (std::size_t m = 0; m <= last; ++m) {
-        const double s = reflectance(p.z[m]);
-        const double ds = 2 * s / (1 + std::exp(2 * p.z[m]));
+        const auto [s, complement, ds] = reflectanceOf(p.z[m]);
         const double pull = w[m].dot(p.multipliers);
         const double toLower = m > 0 ? p.z[m] - p.z[m - 1] : 0;
         const double toUpper = m < last ? p.z[m] - p.z[m + 1] : 0;
         l.s[m] = s;
         l.gradient.x[m] = toLower + toUpper + ds * pull;
         l.gradient.y += w[m] * s;
-        l.hessian.diagonal[m] = (m > 0) + (m < last) + 2 * ds * (1 - 2 * s) * pull;
+        l.hessian.diagonal[m] = (m > 0) + (m < last) + 2 * ds * (complement - s) * pull;
         l.hessian.border[m] = w[m] * ds;
     }
     return l;

@@ -179,7 +179,7 @@ double Solid::gaugeError() const {
     return data_->gaugeError;
 }
 
-Solid::Exit Solid::exit(const XYZ& color) const {
+Solid::Boundary Solid::boundary(const XYZ& color) const {
     if (color == XYZ(0, 0, 0)) return {1, color, constantSpectrum(0)};
     if (color == data_->white) return {1, color, constantSpectrum(1)};
     const Imath::V3d d = color - data_->center;

@@ -1,17 +1,38 @@
 #include "piz_packer.h"
 
+#include <cstring>
+#include <utility>
+
 namespace specbake {
 namespace {
 
-/// The encoder's last step here: keep the bytes instead of writing them.
-exr_result_t keepPacked(exr_encode_pipeline_t* encoder) {
-    auto& packed = *static_cast<std::vector<std::byte>*>(encoder->encoding_user_data);
-    const auto* first = static_cast<const std::byte*>(encoder->compressed_buffer);
-    packed.assign(first, first + encoder->compressed_bytes);
+/// What goes into the encoder and comes out of it.
+struct Transit {
+    std::span<const std::byte> samples;
+    std::vector<std::byte> packed;
+};
+
+Transit& transitOf(exr_encode_pipeline_t* encoder) {
+    return *static_cast<Transit*>(encoder->encoding_user_data);
+}
+
+/// The encoder's first step here: the samples lie already as it packs them.
+exr_result_t takeSamples(exr_encode_pipeline_t* encoder) {
+    const std::span<const std::byte> samples = transitOf(encoder).samples;
+    if (encoder->packed_alloc_size < samples.size()) return EXR_ERR_INVALID_ARGUMENT;
+    std::memcpy(encoder->packed_buffer, samples.data(), samples.size());
+    encoder->packed_bytes = samples.size();
     return EXR_ERR_SUCCESS;
 }
 
-/// OpenEXRCore's encoder for one chunk; the samples are lent to it.
+/// Its last step here: the bytes are kept instead of written.
+exr_result_t keepPacked(exr_encode_pipeline_t* encoder) {
+    const auto* first = static_cast<const std::byte*>(encoder->compressed_buffer);
+    transitOf(encoder).packed.assign(first, first + encoder->compressed_bytes);
+    return EXR_ERR_SUCCESS;
+}
+
+/// OpenEXRCore's encoder for one chunk.
 class Encoder {
   public:
     Encoder(const ExrContext& context, int y) : context_(context) {
@@ -19,15 +40,12 @@ class Encoder {
         context.check(exr_write_scanline_chunk_info(context.get(), 0, y, &chunk));
         context.check(exr_encoding_initialize(context.get(), 0, &chunk, &encoder_));
     }
-    ~Encoder() {
-        encoder_.packed_buffer = nullptr;
-        exr_encoding_destroy(context_.get(), &encoder_);
-    }
+    ~Encoder() { exr_encoding_destroy(context_.get(), &encoder_); }
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
 
     std::vector<std::byte> run(std::span<const std::byte> samples) {
-        std::vector<std::byte> packed;
+        Transit transit{samples, {}};
         // The routines are chosen for channels that hold their samples; any address will do.
         for (int c = 0; c < encoder_.channel_count; ++c) {
             auto& channel = encoder_.channels[c];
@@ -36,14 +54,12 @@ class Encoder {
             channel.user_line_stride = channel.width * channel.bytes_per_element;
         }
         context_.check(exr_encoding_choose_default_routines(context_.get(), 0, &encoder_));
-        encoder_.convert_and_pack_fn = nullptr;                           // they are packed already
-        encoder_.packed_buffer = const_cast<std::byte*>(samples.data());  // it only reads
-        encoder_.packed_bytes = samples.size();
-        encoder_.encoding_user_data = &packed;
+        encoder_.convert_and_pack_fn = takeSamples;
+        encoder_.encoding_user_data = &transit;
         encoder_.yield_until_ready_fn = nullptr;
         encoder_.write_fn = keepPacked;
         context_.check(exr_encoding_run(context_.get(), 0, &encoder_));
-        return packed;
+        return std::move(transit.packed);
     }
 
   private:

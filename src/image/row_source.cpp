@@ -1,5 +1,7 @@
 #include "row_source.h"
 
+#include "png_check.h"
+
 #include <specbake/core/error.h>
 #include <specbake/image/image_types.h>
 
@@ -9,7 +11,9 @@
 namespace specbake {
 namespace {
 
-std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
+std::unique_ptr<OIIO::ImageInput> open(const std::string& path, int threads) {
+    checkPng(path);
+    OIIO::attribute("exr_threads", threads > 1 ? threads : -1);  // -1: none but the caller's
     OIIO::ImageSpec wishes;
     wishes["oiio:UnassociatedAlpha"] = 1;
     auto input = OIIO::ImageInput::open(path, &wishes);
@@ -36,7 +40,8 @@ std::string oneLine(std::string text) {
     return text.empty() ? "cannot be read" : text;
 }
 
-RowSource::RowSource(const std::string& path) : path_(path), input_(open(path)) {
+RowSource::RowSource(const std::string& path, int threads)
+    : path_(path), input_(open(path, threads)) {
     checkSize(path, spec());
     type_ = spec().format;
 }
@@ -54,7 +59,8 @@ void RowSource::read(int first, int count, std::span<std::byte> samples) {
     if (spec().tile_width == 0) {
         const int y = spec().y + first;
         if (!input_->read_scanlines(0, 0, y, y + count, 0, 0, spec().nchannels, type_,
-                                    samples.data())) {
+                                    samples.data()) ||
+            input_->has_error()) {  // a truncated JPEG reads as grey, and only complains
             fail();
         }
         return;

@@ -19,8 +19,9 @@ class RowSource {
   public:
     /// Throws FileError if the file cannot be opened or is no image of bounded size.
     /// Samples are read in the file's own type until setSampleType() says otherwise; colour is not
-    /// multiplied by alpha unless the file holds it so.
-    explicit RowSource(const std::string& path);
+    /// multiplied by alpha unless the file holds it so. `threads` unpack the rows of an EXR; they
+    /// are those of the process: the file that is opened last decides for all.
+    RowSource(const std::string& path, int threads);
 
     const OIIO::ImageSpec& spec() const { return input_->spec(); }
     OIIO::ImageInput& input() { return *input_; }

@@ -35,8 +35,8 @@ std::array<int, kBandCount> bandChannels(const std::string& path, const OIIO::Im
 }  // namespace
 
 struct SpectralReader::Implementation {
-    explicit Implementation(const std::string& path)
-        : source(path), channels(bandChannels(path, source.spec())) {
+    Implementation(const std::string& path, int threads)
+        : source(path, threads), channels(bandChannels(path, source.spec())) {
         source.setSampleType(OIIO::TypeFloat);
         const OIIO::ImageSpec& spec = source.spec();
         header.data = {spec.x, spec.y, spec.width, spec.height};
@@ -51,12 +51,28 @@ struct SpectralReader::Implementation {
     std::vector<float> texels;
 };
 
-SpectralReader::SpectralReader(const std::string& path)
-    : implementation_(std::make_unique<Implementation>(path)) {}
+SpectralReader::SpectralReader(const std::string& path, int threads)
+    : implementation_(std::make_unique<Implementation>(path, threads)) {}
 SpectralReader::~SpectralReader() = default;
 
 const SpectralHeader& SpectralReader::header() const {
     return implementation_->header;
+}
+
+StorageFacts SpectralReader::facts() const {
+    const OIIO::ImageSpec& spec = implementation_->source.spec();
+    StorageFacts facts;
+    facts.channels = spec.nchannels;
+    facts.sampleType = spec.format.c_str();
+    facts.compression = spec.get_string_attribute("compression", "none");
+    facts.tileWidth = spec.tile_width;
+    facts.tileHeight = spec.tile_height;
+    for (const auto& value : spec.extra_attribs) {
+        const std::string name = value.name().string();
+        if (name.starts_with("oiio:") || name == "compression") continue;
+        facts.attributes.emplace_back(name, value.get_string());
+    }
+    return facts;
 }
 
 std::optional<std::string> SpectralReader::text(const std::string& attribute) const {
@@ -65,18 +81,24 @@ std::optional<std::string> SpectralReader::text(const std::string& attribute) co
     return value->get_string();
 }
 
-void SpectralReader::readRows(int first, int count, std::span<float> samples) {
+void SpectralReader::readRows(int first, int count, std::span<float> samples,
+                              std::span<float> alpha) {
     Implementation& i = *implementation_;
     const auto channels = std::size_t(i.source.spec().nchannels);
     const std::size_t texels = std::size_t(count) * std::size_t(i.header.data.width);
-    if (samples.size() < texels * kBandCount)
+    if (samples.size() < texels * kBandCount || (!alpha.empty() && alpha.size() < texels)) {
         throw ArgumentError("a buffer too small for its rows");
+    }
     i.texels.resize(texels * channels);
     i.source.read(first, count, std::as_writable_bytes(std::span(i.texels)));
     for (std::size_t t = 0; t < texels; ++t) {
         for (std::size_t band = 0; band < kBandCount; ++band) {
             samples[t * kBandCount + band] = i.texels[t * channels + std::size_t(i.channels[band])];
         }
+    }
+    const int opacity = i.source.spec().alpha_channel;
+    for (std::size_t t = 0; opacity >= 0 && t < alpha.size(); ++t) {
+        alpha[t] = i.texels[t * channels + std::size_t(opacity)];
     }
 }
 

@@ -70,6 +70,11 @@ std::vector<std::string> notesOn(OIIO::ImageInput& input) {
     if (input.seek_subimage(0, 1)) notes.push_back("only the first of its mip levels is used");
     input.geterror();
     input.seek_subimage(0, 0);
+    const int orientation = input.spec().get_int_attribute("Orientation", 1);
+    if (orientation != 1) {
+        notes.push_back("its orientation (Exif " + std::to_string(orientation) +
+                        ") is not used: texels stay where they are stored");
+    }
     return notes;
 }
 
@@ -94,15 +99,16 @@ TextureInfo infoOf(const std::string& path, RowSource& source) {
 }  // namespace
 
 struct TextureReader::Implementation {
-    explicit Implementation(const std::string& path) : source(path), info(infoOf(path, source)) {
+    Implementation(const std::string& path, int threads)
+        : source(path, threads), info(infoOf(path, source)) {
         source.setSampleType(descriptionOf(info.sampleType));
     }
     RowSource source;
     TextureInfo info;
 };
 
-TextureReader::TextureReader(const std::string& path)
-    : implementation_(std::make_unique<Implementation>(path)) {}
+TextureReader::TextureReader(const std::string& path, int threads)
+    : implementation_(std::make_unique<Implementation>(path, threads)) {}
 TextureReader::~TextureReader() = default;
 TextureReader::TextureReader(TextureReader&&) noexcept = default;
 TextureReader& TextureReader::operator=(TextureReader&&) noexcept = default;

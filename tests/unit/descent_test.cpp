@@ -174,7 +174,7 @@ TEST_CASE("what is not a colour of a surface has failed, and says so") {
               XYZ(nan, 0.1, 0.1), XYZ(0.1, nan, 0.1), XYZ(0.1, inf, 0.1), XYZ(0.1, 0.1, -inf)}) {
             const Solution solution = solver.solve(color);
             CHECK(solution.report.status == SolveReport::Status::failed);
-            CHECK(boundsViolation(solution.spectrum) == 0);
+            for (const double value : solution.spectrum) CHECK((value >= 0 && value <= 1));
             CHECK(!solver.solveFrom(color, constantSpectrum(0.5)).solved());
         }
     }

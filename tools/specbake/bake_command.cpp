@@ -33,6 +33,9 @@ struct Arguments {
     std::string outside = "nearest";
     bool perTexel = false;
     int grid = 17;
+    int bits = 10;
+    std::optional<double> maxDeviation;
+    std::optional<double> maxDE;
     int threads = 0;
     std::string statsFile;
     bool update = false;
@@ -68,6 +71,9 @@ BakeOptions optionsOf(const Arguments& a, const std::stop_token& stop, ProgressB
     options.outside = outsideChoices().at(a.outside);
     options.grid = a.grid;
     options.perTexel = a.perTexel;
+    options.bits = a.bits;
+    options.maxDeviation = a.maxDeviation;
+    options.maxDE = a.maxDE;
     options.threads = a.threads;
     options.storage.sampleType = a.sampleType == "half" ? SampleType::half : SampleType::float32;
     parseCompression(a.compression, options.storage);
@@ -83,17 +89,21 @@ bool isUpToDate(const Arguments& a) {
 }
 
 void writeStats(const BakeStatistics& s, const Arguments& a) {
-    const nlohmann::ordered_json json = {{"input", a.input},
-                                         {"output", a.output},
-                                         {"space", s.space},
-                                         {"illuminant", s.illuminant},
-                                         {"texels", s.texels},
-                                         {"direct_texels", s.directTexels},
-                                         {"outside_texels", s.outsideTexels},
-                                         {"outside_max_de2000", s.largestMove},
-                                         {"nodes_solved", s.nodesSolved},
-                                         {"seconds", s.seconds},
-                                         {"notes", s.notes}};
+    nlohmann::ordered_json json = {{"input", a.input},
+                                   {"output", a.output},
+                                   {"space", s.space},
+                                   {"illuminant", s.illuminant},
+                                   {"texels", s.texels},
+                                   {"direct_texels", s.directTexels},
+                                   {"outside_texels", s.outsideTexels},
+                                   {"outside_max_de2000", s.largestMove},
+                                   {"nodes_solved", s.nodesSolved},
+                                   {"grid", s.grid},
+                                   {"bits", s.bits},
+                                   {"seconds", s.seconds},
+                                   {"notes", s.notes}};
+    if (s.deviation) json["deviation"] = *s.deviation;
+    if (s.difference) json["de2000"] = *s.difference;
     OutputFile file(a.statsFile);
     std::ofstream out(file.temporaryPath());
     out << json.dump(2) << '\n';
@@ -105,6 +115,14 @@ void writeStats(const BakeStatistics& s, const Arguments& a) {
 void report(const BakeStatistics& s, const Arguments& a) {
     for (const std::string& note : s.notes) {
         if (!a.quiet) std::fprintf(stderr, "specbake: %s: %s\n", a.input.c_str(), note.c_str());
+    }
+    if (s.deviation && !a.quiet) {
+        std::printf("%s: a grid of %d nodes deviates by %.5f RMS\n", a.output.c_str(), s.grid,
+                    *s.deviation);
+    }
+    if (s.difference && !a.quiet) {
+        std::printf("%s: %d bits of mantissa keep every texel within CIEDE2000 %.4f\n",
+                    a.output.c_str(), s.bits, *s.difference);
     }
     if (s.outsideTexels > 0 && !a.quiet) {
         std::fprintf(stderr,
@@ -173,6 +191,23 @@ Command addBake(CLI::App& program) {
     command->add_option("--grid", a->grid, "nodes of the lookup grid along each axis")
         ->check(CLI::Range(GridAxis::kFewestNodes, GridAxis::kMostNodes))
         ->capture_default_str();
+    command
+        ->add_option(
+            "--max-deviation", a->maxDeviation,
+            "instead of --grid: the coarsest grid whose spectra deviate by no more (RMS) from the "
+            "directly solved ones, on this texture's colours; the default grid is for about 0.0005")
+        ->check(CLI::PositiveNumber)
+        ->excludes("--per-texel");
+    command
+        ->add_option("--bits", a->bits,
+                     "bits of mantissa that half samples keep: fewer make smaller files")
+        ->check(CLI::Range(4, 10))
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--max-de", a->maxDE,
+            "instead of --bits: the fewest bits that keep every texel within this CIEDE2000")
+        ->check(CLI::PositiveNumber);
     command->add_option("-d,--data-type", a->sampleType, "samples of the spectral image")
         ->check(CLI::IsMember({"half", "float"}))
         ->capture_default_str();

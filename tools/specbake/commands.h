@@ -23,6 +23,8 @@ using Command = std::function<ExitCode()>;
 Command addBake(CLI::App& program);
 Command addRegion(CLI::App& program);
 Command addSolve(CLI::App& program);
+Command addInspect(CLI::App& program);
+Command addRelight(CLI::App& program);
 Command addVerify(CLI::App& program);
 
 }  // namespace specbake::tool

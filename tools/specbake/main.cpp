@@ -18,13 +18,16 @@ int run(int argc, char** argv) {
     CLI::App program("specbake: XYZ and RGB textures to spectral textures", "specbake");
     program.set_version_flag("--version", "specbake " SPECBAKE_VERSION);
     program.require_subcommand(1);
+    program.failure_message([](const CLI::App*, const CLI::Error& error) {
+        return std::string("specbake: ") + error.what() + " (--help tells more)\n";
+    });
     program.footer(
         "specbake COMMAND --help tells more. Exit codes: 0 done, 1 it could not be done,\n"
         "2 the command was wrong, 3 verify found too large a difference.");
-    const std::map<std::string, Command> commands = {{"bake", addBake(program)},
-                                                     {"verify", addVerify(program)},
-                                                     {"solve", addSolve(program)},
-                                                     {"region", addRegion(program)}};
+    const std::map<std::string, Command> commands = {
+        {"bake", addBake(program)},       {"solve", addSolve(program)},
+        {"region", addRegion(program)},   {"inspect", addInspect(program)},
+        {"relight", addRelight(program)}, {"verify", addVerify(program)}};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -62,6 +62,7 @@ void printJson(const ColorAnswer& answer) {
         {"starts", r.starts},
         {"hits", r.hits},
         {"blended", r.blended},
+        {"fell_back", r.fellBack},
         {"first_nm", kFirstWavelength},
         {"step_nm", kWavelengthStep},
         {"reflectance", answer.solution.spectrum}};
@@ -78,6 +79,7 @@ void printText(const ColorAnswer& answer) {
                  statusName(r.status), answer.illuminant.c_str(), answer.asked.x, answer.asked.y,
                  answer.asked.z, answer.gauge, r.residual);
     std::fprintf(stderr, "%d iterations, %d starts, %d hits\n", r.iterations, r.starts, r.hits);
+    if (r.fellBack) std::fprintf(stderr, "the method failed; the smooth one solved the colour\n");
     if (answer.outside) {
         std::fprintf(stderr, "outside the solid: given XYZ %.6g %.6g %.6g, CIEDE2000 %.2f\n",
                      answer.given.x, answer.given.y, answer.given.z, answer.difference);

@@ -44,7 +44,7 @@ class Solid {
     bool contains(const XYZ& color) const { return gauge(color) <= 1 + gaugeError(); }
 
     /// Where the ray from the centre through a colour leaves the solid.
-    struct Exit {
+    struct Boundary {
         double gauge = 0;
         XYZ color;            ///< t_b = c + (t − c)/r; the centre itself if t is the centre
         Spectrum spectrum{};  ///< of t_b; ½ for the centre
@@ -53,12 +53,12 @@ class Solid {
     /// The spectrum is (13), the only one that t_b has; inside the two bases, where there are many,
     /// it is a continuous choice that meets (13) on their rims. Continuous in t except at the
     /// centre. |W s − t_b| is of the order of rounding; black and white get 0 and 1 exactly.
-    Exit exit(const XYZ& color) const;
+    Boundary boundary(const XYZ& color) const;
 
     struct Nearest {
         XYZ color;                         ///< the point of the solid nearest to t, in XYZ
         double distance = 0;               ///< Euclidean
-        std::optional<Spectrum> spectrum;  ///< of that point, as in Exit; none if t is in the solid
+        std::optional<Spectrum> spectrum;  ///< as in Boundary; none if t is in the solid
     };
 
     /// The paper's rule for colours outside (its section 4). A colour inside is its own nearest.

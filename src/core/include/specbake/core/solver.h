@@ -13,11 +13,12 @@ struct SolveReport {
         failed    ///< the method did not reach the colour; s is where it stopped
     };
     Status status = Status::failed;
-    double residual = 0;   ///< max |W s - t| over X, Y, Z
-    int iterations = 0;    ///< Newton steps, or path segments, over all starts
-    int starts = 1;        ///< starting points tried
-    int hits = 0;          ///< components fixed at 0 or 1 on the way (descent)
-    bool blended = false;  ///< the shell mixed the solution with the boundary's spectrum
+    double residual = 0;    ///< max |W s - t| over X, Y, Z
+    int iterations = 0;     ///< Newton steps, or path segments, over all starts
+    int starts = 1;         ///< starting points tried
+    int hits = 0;           ///< components fixed at 0 or 1 on the way (descent)
+    bool fellBack = false;  ///< the method asked for failed, and the shell solved (src/bake)
+    bool blended = false;   ///< the shell mixed the solution with the boundary's spectrum
 };
 
 struct [[nodiscard]] Solution {

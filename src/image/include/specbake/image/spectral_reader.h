@@ -4,28 +4,45 @@
 #include <specbake/image/spectral_layout.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace specbake {
+
+/// How a file is stored, in words for a user.
+struct StorageFacts {
+    int channels = 0;
+    std::string sampleType;   ///< "half", "float"; of the first channel
+    std::string compression;  ///< "zip", …
+    int tileWidth = 0;        ///< 0: scan lines
+    int tileHeight = 0;
+    std::vector<std::pair<std::string, std::string>> attributes;  ///< each value as text
+};
 
 /// Reads a spectral EXR back through OpenImageIO, by rows. It accepts the bands of this project,
 /// 380 to 780 nm every 5 nm; channels of other names are passed over.
 class SpectralReader {
   public:
-    /// Throws FileError if the file cannot be read or does not hold the 81 bands.
-    explicit SpectralReader(const std::string& path);
+    /// Throws FileError if the file cannot be read or does not hold the 81 bands. `threads` unpack
+    /// it beside the caller, if there are more than 1; of all readers in the process, the last that
+    /// was made decides.
+    explicit SpectralReader(const std::string& path, int threads = 1);
     ~SpectralReader();
 
     const SpectralHeader& header() const;
+
+    StorageFacts facts() const;
 
     /// A string attribute of the file, or nothing.
     std::optional<std::string> text(const std::string& attribute) const;
 
     /// Rows [first, first + count), counted from 0: for each texel its kBandCount samples, from
     /// 380 nm up. `samples` holds count * width * kBandCount floats. Throws FileError.
-    void readRows(int first, int count, std::span<float> samples);
+    /// `alpha`, unless empty, gets count * width floats where the header says that there is alpha.
+    void readRows(int first, int count, std::span<float> samples, std::span<float> alpha = {});
 
   private:
     struct Implementation;

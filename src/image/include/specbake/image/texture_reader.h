@@ -36,7 +36,9 @@ struct TextureInfo {
 /// deep, volumetric, larger than kLargestSide, more than four channels, four without an alpha.
 class TextureReader {
   public:
-    explicit TextureReader(const std::string& path);
+    /// `threads` unpack an EXR beside the caller, if there are more than 1; of all readers in the
+    /// process, the last that was made decides.
+    explicit TextureReader(const std::string& path, int threads = 1);
     ~TextureReader();
     TextureReader(TextureReader&&) noexcept;
     TextureReader& operator=(TextureReader&&) noexcept;

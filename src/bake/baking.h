@@ -1,0 +1,39 @@
+#pragma once
+
+#include "band.h"
+#include "job.h"
+
+#include <specbake/image/spectral_writer.h>
+
+#include <span>
+#include <vector>
+
+namespace specbake {
+
+/// One texture on its way to its file: what the three stages of the pipeline share.
+class Baking {
+  public:
+    /// `bits`: of the mantissa of half samples.
+    Baking(Job& job, SpectrumLookup& lookup, SpectralWriter& writer, const StorageOptions& storage,
+           int bits);
+
+    /// All rows, read, solved, packed and written; the writer is not committed. Throws FileError
+    /// for texels that have no spectrum, naming the first, and Cancelled.
+    TexelCensus run(const std::function<void(double)>& progress);
+
+  private:
+    std::vector<Band> bandsOf() const;
+    void readBand(Band& band);
+    void processBand(Band& band);
+    void blendRow(Band& band, int imageRow, std::span<std::byte> samples);
+    void writeBand(Band& band);
+
+    Job& job_;
+    SpectrumLookup& lookup_;
+    SpectralWriter& writer_;
+    StorageOptions storage_;
+    int bits_;
+    TexelCensus census_;
+};
+
+}  // namespace specbake

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <specbake/core/spectrum.h>
+#include <specbake/image/spectral_reader.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace specbake {
+
+/// Reflectances over all texels; NaN counts as out of range and nowhere else.
+struct BandStatistics {
+    Spectrum least{};    ///< of each band
+    Spectrum mean{};     ///< of each band
+    Spectrum largest{};  ///< of each band
+    std::size_t texels = 0;
+    std::size_t outOfRange = 0;  ///< samples outside [0, 1], NaN among them
+};
+
+/// Reads the whole file. Throws FileError.
+BandStatistics bandStatistics(const std::string& spectral);
+
+/// The spectrum of the texel at (x, y), which counts as the file's windows do: the first texel is
+/// the data window's corner. Throws FileError, and ArgumentError for a place outside the window.
+Spectrum spectrumAt(SpectralReader& reader, int x, int y);
+
+}  // namespace specbake

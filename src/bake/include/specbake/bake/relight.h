@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <string>
+
+namespace specbake {
+
+/// How a spectral image is shown under a light. The defaults are those of `specbake relight`.
+struct RelightOptions {
+    std::string illuminant = "A";  ///< of illuminantNames()
+    bool adapt = true;             ///< the viewer's eye has adapted to the light: white looks white
+    double exposure = 0;           ///< stops
+    int threads = 0;               ///< 0: all cores
+    std::stop_token stop;          ///< when stopped, relight() throws Cancelled
+    std::function<void(double)> progress;  ///< called with 0 to 1, from one thread at a time
+};
+
+/// Integrates the bands of `spectral` under the light and writes what a viewer sees, in linear
+/// Rec.709 or sRGB after the format of `picture` (preview_writer.h). At exposure 0 the largest
+/// component of a white surface is 1, so that no reflectance is clipped for its brightness.
+/// Throws FileError, ArgumentError, Cancelled.
+void relight(const std::string& spectral, const std::filesystem::path& picture,
+             const RelightOptions& options);
+
+}  // namespace specbake

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "job.h"
+
+namespace specbake {
+
+/// The coarsest grid whose spectra deviate from the directly solved ones by at most `deviation`:
+/// RMS over the bands and over the colours of the texture, each once, or over a sample of
+/// kSampledColors of them where there are more.
+struct GridChoice {
+    int nodes = 0;
+    double deviation = 0;  ///< what it deviates by
+};
+inline constexpr std::size_t kSampledColors = 4096;
+
+/// Throws FileError if the finest grid does not do.
+GridChoice chooseGrid(const Job& job, double deviation);
+
+/// The fewest bits of mantissa with which every texel, as half, is within `difference` (CIEDE2000)
+/// of the colour that its unrounded spectrum has. Every colour of the texture is tried.
+struct BitsChoice {
+    int bits = 0;
+    double difference = 0;  ///< the largest that was met
+};
+
+/// Throws FileError if all 10 bits do not do.
+BitsChoice chooseBits(const Job& job, SpectrumLookup& lookup, double difference);
+
+}  // namespace specbake

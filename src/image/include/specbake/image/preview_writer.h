@@ -1,0 +1,35 @@
+#pragma once
+
+#include <specbake/image/spectral_layout.h>
+
+#include <filesystem>
+#include <memory>
+#include <span>
+
+namespace specbake {
+
+/// Writes a picture to be looked at, by rows, in the format of its name's extension: linear floats
+/// where the format has them (EXR, HDR), else 8-bit sRGB. The file appears at commit(), whole;
+/// without it nothing stays behind.
+class PreviewWriter {
+  public:
+    /// Windows and alpha are those of `like`; a format without them has neither.
+    /// Throws FileError if there is no such format or the file cannot be created.
+    PreviewWriter(const std::filesystem::path& path, const SpectralHeader& like);
+    ~PreviewWriter();
+    PreviewWriter(const PreviewWriter&) = delete;
+    PreviewWriter& operator=(const PreviewWriter&) = delete;
+
+    /// The next row: width texels of linear Rec.709 R, G, B and alpha, not multiplied by it. What
+    /// an 8-bit format cannot show is clamped. Throws FileError.
+    void writeRow(std::span<const float> rgba);
+
+    /// Completes the file and puts it in its place. Throws FileError.
+    void commit();
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace specbake

@@ -1,0 +1,173 @@
+#include "commands.h"
+#include "spectrum_plot.h"
+
+#include <specbake/bake/inspect.h>
+#include <specbake/core/error.h>
+#include <specbake/image/output_file.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <numeric>
+
+namespace specbake::tool {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+    std::string spectral;
+    std::vector<int> places;  ///< x, y, x, y, …
+    std::string plotFile;
+    bool json = false;
+};
+
+double least(const BandStatistics& s) {
+    return *std::min_element(s.least.begin(), s.least.end());
+}
+
+double largest(const BandStatistics& s) {
+    return *std::max_element(s.largest.begin(), s.largest.end());
+}
+
+double mean(const BandStatistics& s) {
+    return std::accumulate(s.mean.begin(), s.mean.end(), 0.0) / double(s.mean.size());
+}
+
+std::vector<Curve> curvesAt(SpectralReader& reader, const std::vector<int>& places) {
+    std::vector<Curve> curves;
+    for (std::size_t i = 0; i < places.size(); i += 2) {
+        const int x = places[i];
+        const int y = places[i + 1];
+        curves.push_back({fmt::format("({}, {})", x, y), spectrumAt(reader, x, y)});
+    }
+    return curves;
+}
+
+/// Of the whole file.
+std::vector<Curve> curvesOf(const BandStatistics& s) {
+    return {{"largest", s.largest}, {"mean", s.mean}, {"least", s.least}};
+}
+
+Json windowJson(const Window& w) {
+    return {{"x", w.x}, {"y", w.y}, {"width", w.width}, {"height", w.height}};
+}
+
+Json factsJson(const SpectralReader& reader, const BandStatistics& s) {
+    const StorageFacts facts = reader.facts();
+    Json attributes = Json::object();
+    for (const auto& [name, value] : facts.attributes) attributes[name] = value;
+    Json tile;
+    if (facts.tileWidth > 0) tile = {facts.tileWidth, facts.tileHeight};
+    return {{"data_window", windowJson(reader.header().data)},
+            {"display_window", windowJson(reader.header().display)},
+            {"channels", facts.channels},
+            {"alpha", reader.header().alpha},
+            {"sample_type", facts.sampleType},
+            {"compression", facts.compression},
+            {"tile", tile},
+            {"bands", {{"count", kBandCount}, {"first_nm", 380}, {"step_nm", 5}}},
+            {"reflectance",
+             {{"min", least(s)},
+              {"mean", mean(s)},
+              {"max", largest(s)},
+              {"out_of_range", s.outOfRange}}},
+            {"attributes", attributes}};
+}
+
+void printFacts(const std::string& path, const SpectralReader& reader, const BandStatistics& s) {
+    const StorageFacts facts = reader.facts();
+    const Window& data = reader.header().data;
+    const Window& display = reader.header().display;
+    std::printf("%s: %d x %d texels, %d channels of %s, compression %s", path.c_str(), data.width,
+                data.height, facts.channels, facts.sampleType.c_str(), facts.compression.c_str());
+    if (facts.tileWidth > 0) std::printf(", tiles %d x %d", facts.tileWidth, facts.tileHeight);
+    std::printf("\nbands: %d, %d to %d nm every %d nm%s\n", kBandCount, kFirstWavelength,
+                wavelength(kBandCount - 1), kWavelengthStep,
+                reader.header().alpha ? "; alpha" : "");
+    std::printf("data window: from (%d, %d); display window: %d x %d from (%d, %d)\n", data.x,
+                data.y, display.width, display.height, display.x, display.y);
+    std::printf("reflectance: min %.6g, mean %.6g, max %.6g; %zu samples outside [0, 1]\n",
+                least(s), mean(s), largest(s), s.outOfRange);
+    for (const auto& [name, value] : facts.attributes) {
+        std::printf("%s: %s\n", name.c_str(), value.c_str());
+    }
+}
+
+void printCsv(const std::vector<Curve>& curves) {
+    std::printf("wavelength_nm");
+    for (const Curve& curve : curves) std::printf(",\"%s\"", curve.name.c_str());
+    std::printf("\n");
+    for (int band = 0; band < kBandCount; ++band) {
+        std::printf("%d", wavelength(band));
+        for (const Curve& curve : curves) std::printf(",%.9g", curve.spectrum[std::size_t(band)]);
+        std::printf("\n");
+    }
+}
+
+void writePlot(const Arguments& a, const std::vector<Curve>& curves) {
+    OutputFile file(a.plotFile);
+    std::ofstream out(file.temporaryPath());
+    out << spectrumPlot(std::filesystem::path(a.spectral).filename().string(), curves);
+    out.close();
+    if (!out) throw FileError(a.plotFile, "cannot be written");
+    file.commit();
+}
+
+/// Texels alone: the file is not read as a whole.
+void inspectTexels(const Arguments& a, SpectralReader& reader) {
+    const std::vector<Curve> curves = curvesAt(reader, a.places);
+    if (!a.plotFile.empty()) writePlot(a, curves);
+    if (!a.json) return printCsv(curves);
+    Json texels = Json::array();
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        texels.push_back({{"x", a.places[2 * i]},
+                          {"y", a.places[2 * i + 1]},
+                          {"reflectance", curves[i].spectrum}});
+    }
+    std::cout << Json({{"texels", texels}}).dump(2) << '\n';
+}
+
+ExitCode inspectCommand(const Arguments& a) {
+    SpectralReader reader(a.spectral);
+    if (!a.places.empty()) {
+        inspectTexels(a, reader);
+        return kDone;
+    }
+    const BandStatistics statistics = bandStatistics(a.spectral);
+    if (!a.plotFile.empty()) writePlot(a, curvesOf(statistics));
+    if (a.json) {
+        std::cout << factsJson(reader, statistics).dump(2) << '\n';
+    } else {
+        printFacts(a.spectral, reader, statistics);
+    }
+    return kDone;
+}
+
+}  // namespace
+
+Command addInspect(CLI::App& program) {
+    auto a = std::make_shared<Arguments>();
+    CLI::App* command =
+        program.add_subcommand("inspect", "What a spectral image holds, and its spectra");
+    command->add_option("spectral", a->spectral, "spectral image")->required();
+    command
+        ->add_option("--at", a->places,
+                     "print the 81 values of the texel X Y as CSV; may be given again")
+        ->type_size(2)
+        ->type_name("X Y");
+    command->add_option("--plot", a->plotFile,
+                        "draw those texels' spectra to this SVG; without --at each band's extremes "
+                        "and mean");
+    command->add_flag("--json", a->json, "print JSON");
+    return [a] { return inspectCommand(*a); };
+}
+
+}  // namespace specbake::tool

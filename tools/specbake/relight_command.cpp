@@ -1,0 +1,73 @@
+#include "commands.h"
+#include "progress_bar.h"
+#include "stop_signals.h"
+
+#include <specbake/bake/relight.h>
+#include <specbake/core/error.h>
+#include <specbake/core/observer.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace specbake::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    std::string spectral;
+    std::string picture;
+    RelightOptions options;
+    bool noAdapt = false;
+    bool quiet = false;
+};
+
+ExitCode relightCommand(const Arguments& a) {
+    std::error_code missing;
+    if (fs::equivalent(a.spectral, a.picture, missing)) {
+        throw ArgumentError(a.picture + ": the output is the input");
+    }
+    StopSignals signals;
+    try {
+        ProgressBar bar("relighting " + fs::path(a.spectral).filename().string(), !a.quiet);
+        RelightOptions options = a.options;
+        options.adapt = !a.noAdapt;
+        options.stop = signals.token();
+        options.progress = [&bar](double done) { bar.show(done); };
+        relight(a.spectral, a.picture, options);
+    } catch (const Cancelled&) {
+        signals.passOn();
+        throw;
+    }
+    return kDone;
+}
+
+}  // namespace
+
+Command addRelight(CLI::App& program) {
+    auto a = std::make_shared<Arguments>();
+    CLI::App* command =
+        program.add_subcommand("relight", "A picture of a spectral image under a light");
+    command->add_option("spectral", a->spectral, "spectral image")->required();
+    command
+        ->add_option("-o,--output", a->picture,
+                     "picture to write: sRGB with 8 bits, or linear floats if .exr or .hdr")
+        ->required();
+    command->add_option("--illuminant", a->options.illuminant, "the light")
+        ->check(CLI::IsMember(illuminantNames()))
+        ->capture_default_str();
+    command->add_flag("--no-adapt", a->noAdapt,
+                      "show the light's tint; else the eye has adapted and white looks white");
+    command->add_option("--exposure", a->options.exposure, "stops, to darken or brighten")
+        ->check(CLI::Range(-32.0, 32.0))
+        ->capture_default_str();
+    command->add_option("-j,--threads", a->options.threads, "threads, 0 for all cores")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    command->add_flag("-q,--quiet", a->quiet, "no progress bar");
+    return [a] { return relightCommand(*a); };
+}
+
+}  // namespace specbake::tool

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <specbake/core/spectrum.h>
+
+#include <string>
+#include <vector>
+
+namespace specbake::tool {
+
+struct Curve {
+    std::string name;
+    Spectrum spectrum;
+};
+
+/// An SVG of reflectance over wavelength, with a legend; readable on light and on dark pages.
+/// The reflectance axis goes from 0 to 1, or as far as the curves do.
+std::string spectrumPlot(const std::string& title, const std::vector<Curve>& curves);
+
+}  // namespace specbake::tool
