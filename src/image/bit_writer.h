@@ -1,5 +1,7 @@
 #pragma once
 
+#include "huffman.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -7,13 +9,14 @@
 namespace specbake {
 
 /// Writes bits from the lowest of each byte up, as deflate does. At most kMostBits between two
-/// calls of flush(), each of which may write 8 bytes, of which only whole ones count.
+/// calls of flush(), each of which writes 8 bytes, of which the whole ones count.
 class BitWriter {
   public:
-    static constexpr std::uint32_t kMostBits = 56;
+    static constexpr std::uint32_t kMostBits = 64 - 7;
 
     explicit BitWriter(std::uint8_t* to) : to_(to) {}
 
+    void put(const CodeWord& word) { put(word.bits, word.length); }
     void put(std::uint64_t bits, std::uint32_t count) {
         pending_ |= bits << count_;
         count_ += count;

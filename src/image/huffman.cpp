@@ -21,6 +21,7 @@ struct Node {
 std::vector<std::uint32_t> depths(const std::vector<std::uint32_t>& risingCounts) {
     const std::size_t leaves = risingCounts.size();
     std::vector<Node> nodes;
+    nodes.reserve(2 * leaves);
     for (const std::uint32_t count : risingCounts) nodes.push_back({count, 0});
     std::size_t leaf = 0;
     std::size_t inner = leaves;
@@ -58,31 +59,34 @@ std::uint32_t reversed(std::uint32_t word, std::uint32_t length) {
 }
 
 void assignWords(std::vector<CodeWord>& code, std::uint32_t longest) {
-    std::uint32_t next = 0;
-    for (std::uint32_t length = 1; length <= longest; ++length, next <<= 1) {
-        for (CodeWord& word : code) {
-            if (word.length == length) word.bits = reversed(next++, length);
-        }
+    std::vector<std::uint32_t> next(longest + 2);  // first how many words are one bit shorter
+    for (const CodeWord& word : code) next[word.length + 1] += word.length > 0 ? 1 : 0;
+    for (std::uint32_t length = 1; length <= longest; ++length) {
+        next[length] = (next[length - 1] + next[length]) << 1;
+    }
+    for (CodeWord& word : code) {
+        if (word.length > 0) word.bits = reversed(next[word.length]++, word.length);
     }
 }
 
 }  // namespace
 
 std::vector<CodeWord> huffmanCode(std::span<const std::uint32_t> counts, std::uint32_t longest) {
-    std::vector<std::uint32_t> symbols;
+    std::vector<std::uint64_t> symbols;  // with their counts above them, so that they sort by both
     for (std::uint32_t s = 0; s < counts.size(); ++s) {
-        if (counts[s] > 0) symbols.push_back(s);
+        if (counts[s] > 0) symbols.push_back(std::uint64_t(counts[s]) << 32 | s);
     }
-    std::stable_sort(symbols.begin(), symbols.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return counts[a] < counts[b]; });
+    std::sort(symbols.begin(), symbols.end());
     std::vector<CodeWord> code(counts.size());
     if (symbols.size() == 1) {
-        code[symbols[0]].length = 1;
+        code[std::uint32_t(symbols[0])].length = 1;
     } else if (symbols.size() > 1) {
         std::vector<std::uint32_t> rising;
-        for (const std::uint32_t s : symbols) rising.push_back(counts[s]);
+        for (const std::uint64_t s : symbols) rising.push_back(std::uint32_t(s >> 32));
         const auto lengths = depthsUpTo(longest, std::move(rising));
-        for (std::size_t i = 0; i < symbols.size(); ++i) code[symbols[i]].length = lengths[i];
+        for (std::size_t i = 0; i < symbols.size(); ++i) {
+            code[std::uint32_t(symbols[i])].length = lengths[i];
+        }
     }
     assignWords(code, longest);
     return code;

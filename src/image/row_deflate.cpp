@@ -14,12 +14,14 @@
 namespace specbake {
 namespace {
 
-constexpr std::size_t kBlock = 32768;  ///< bytes that share a Huffman code
-constexpr std::size_t kShortest = 4;   ///< a match of 3 bytes costs more than it spares
+constexpr std::size_t kBlock = 65536;  ///< bytes that share a Huffman code
+constexpr std::size_t kShortest = 5;   ///< shorter matches cost about what they spare
 constexpr std::size_t kLongest = 258;
 constexpr std::size_t kEndOfBlock = 256;
 constexpr std::size_t kLiteralCodes = 286;
 constexpr std::size_t kDistanceCodes = 30;
+constexpr std::uint32_t kLongestWord =
+    14;  ///< bits; deflate allows 15, but then only 3 fit at once
 
 /// A length or distance as deflate writes it: a symbol, then extra bits (RFC 1951, 3.2.5).
 struct Symbol {
@@ -60,10 +62,19 @@ Word load(const std::uint8_t* at) {
     return word;
 }
 
+/// The place in memory of the first byte that is not 0.
+std::size_t firstByteSet(std::uint64_t bytes) {
+    const bool little = std::endian::native == std::endian::little;
+    return std::size_t(little ? std::countr_zero(bytes) : std::countl_zero(bytes)) / 8;
+}
+
 /// How many bytes from `a` on equal those from `b` on, `most` at most.
 std::size_t equalBytes(const std::uint8_t* a, const std::uint8_t* b, std::size_t most) {
     std::size_t n = 0;
-    while (n + 8 <= most && load<std::uint64_t>(a + n) == load<std::uint64_t>(b + n)) n += 8;
+    for (; n + 8 <= most; n += 8) {
+        const std::uint64_t difference = load<std::uint64_t>(a + n) ^ load<std::uint64_t>(b + n);
+        if (difference != 0) return n + firstByteSet(difference);
+    }
     while (n < most && a[n] == b[n]) ++n;
     return n;
 }
@@ -76,31 +87,56 @@ class Matcher {
 
     const std::vector<std::size_t>& distances() const { return distances_; }
 
-    void split(std::size_t begin, std::size_t end, std::vector<Step>& steps) const {
+    void split(std::size_t begin, std::size_t end, std::vector<Step>& steps) {
         steps.clear();
+        findStarts(begin, end);
         std::size_t literalsFrom = begin;
-        for (std::size_t i = begin; i + kShortest <= end;) {
-            const Step match = longestAt(i, end);
-            if (match.length == 0) {
-                ++i;
-                continue;
-            }
-            steps.push_back({std::uint32_t(i - literalsFrom), match.length, match.distance});
-            i += match.length;
-            literalsFrom = i;
+        for (std::size_t i = nextStart(0); i < kBlock; i = nextStart(literalsFrom - begin)) {
+            Step step = longestAt(begin + i, end, starts_[i]);
+            step.literals = std::uint32_t(begin + i - literalsFrom);
+            steps.push_back(step);
+            literalsFrom = begin + i + step.length;
         }
         steps.push_back({std::uint32_t(end - literalsFrom), 0, 0});
     }
 
   private:
-    Step longestAt(std::size_t i, std::size_t end) const {
-        const std::uint8_t* at = bytes_.data() + i;
-        const auto word = load<std::uint32_t>(at);
-        Step best = {0, 0, 0};
+    /// The distances at which a match begins, one bit each, for each byte of a block.
+    void findStarts(std::size_t begin, std::size_t end) {
+        starts_.fill(0);
         for (std::size_t d = 0; d < distances_.size(); ++d) {
-            if (distances_[d] > i || load<std::uint32_t>(at - distances_[d]) != word) continue;
-            const std::size_t length =
-                equalBytes(at, at - distances_[d], std::min(end - i, kLongest));
+            const std::size_t distance = distances_[d];
+            const std::size_t first = std::max(begin, std::min(distance, end));
+            const std::uint8_t* const at = bytes_.data() + first;
+            const std::uint8_t* const before = bytes_.data() + (first - std::min(first, distance));
+            const std::size_t count = end - first;
+            for (std::size_t i = 0; i < count; ++i) {
+                equal_[i] = std::uint8_t(at[i] == before[i] ? 1U << d : 0U);
+            }
+            std::uint8_t* const starts = starts_.data() + (first - begin);
+            const std::uint8_t* const e = equal_.data();
+            for (std::size_t i = 0; i + kShortest <= count; ++i) {
+                starts[i] |= std::uint8_t(e[i] & e[i + 1] & e[i + 2] & e[i + 3] & e[i + 4]);
+            }
+        }
+    }
+
+    /// The first byte from `i` on at which a match begins; kBlock or beyond if there is none.
+    std::size_t nextStart(std::size_t i) const {
+        for (; i < kBlock; i += 8) {
+            const auto eight = load<std::uint64_t>(starts_.data() + i);
+            if (eight != 0) return i + firstByteSet(eight);
+        }
+        return i;
+    }
+
+    Step longestAt(std::size_t i, std::size_t end, unsigned which) const {
+        const std::uint8_t* const at = bytes_.data() + i;
+        const std::size_t most = std::min(end - i, kLongest);
+        Step best = {0, 0, 0};
+        for (; which != 0; which &= which - 1) {
+            const auto d = std::size_t(std::countr_zero(which));
+            const std::size_t length = equalBytes(at, at - distances_[d], most);
             if (length > best.length) best = {0, std::uint16_t(length), std::uint16_t(d)};
         }
         return best;
@@ -108,6 +144,8 @@ class Matcher {
 
     std::span<const std::uint8_t> bytes_;
     std::vector<std::size_t> distances_;
+    std::array<std::uint8_t, kBlock> equal_;
+    std::array<std::uint8_t, kBlock + 8> starts_;  ///< none in the last 8
 };
 
 /// Code lengths of both codes, one after the other, in the symbols of RFC 1951, 3.2.7.
@@ -187,8 +225,8 @@ class BlockCode {
             bytes += step.length;
         }
         ++literalCounts[kEndOfBlock];
-        literals_ = huffmanCode(literalCounts, 15);
-        distances_ = huffmanCode(distanceCounts, 15);
+        literals_ = huffmanCode(literalCounts, kLongestWord);
+        distances_ = huffmanCode(distanceCounts, kLongestWord);
         for (std::size_t i = kShortest; i <= kLongest; ++i) {
             lengthWords_[i] = withExtra(literals_, lengthSymbol(i));
         }
@@ -197,26 +235,28 @@ class BlockCode {
         }
     }
 
-    void write(const std::uint8_t* bytes, std::span<const Step> steps, BitWriter& out) const {
-        LengthsHeader(literals_, distances_).write(out);
+    void write(const std::uint8_t* bytes, std::span<const Step> steps, BitWriter& file) const {
+        LengthsHeader(literals_, distances_).write(file);
+        BitWriter out = file;  // in registers
+        const CodeWord* const words = literals_.data();
         for (const Step& step : steps) {
-            const std::uint8_t* const end = bytes + step.literals;
-            for (; bytes + 3 <= end; bytes += 3) {
-                put(literals_[bytes[0]], out);
-                put(literals_[bytes[1]], out);
-                put(literals_[bytes[2]], out);
+            std::size_t left = step.literals;
+            for (; left >= 4; left -= 4, bytes += 4) {
+                static_assert(4 * kLongestWord <= BitWriter::kMostBits);
+                for (std::size_t i = 0; i < 4; ++i) out.put(words[bytes[i]]);
                 out.flush();
             }
-            for (; bytes < end; ++bytes) put(literals_[*bytes], out);
+            for (; left > 0; --left) out.put(words[*bytes++]);
             out.flush();
             if (step.length == 0) continue;
-            put(lengthWords_[step.length], out);
-            put(distanceWords_[step.distance], out);
+            out.put(lengthWords_[step.length]);
+            out.put(distanceWords_[step.distance]);
             out.flush();
             bytes += step.length;
         }
-        put(literals_[kEndOfBlock], out);
+        out.put(literals_[kEndOfBlock]);
         out.flush();
+        file = out;
     }
 
   private:
@@ -224,14 +264,13 @@ class BlockCode {
         const CodeWord& word = code[s.symbol];
         return {word.bits | s.extra << word.length, word.length + s.extraBits};
     }
-    static void put(const CodeWord& word, BitWriter& out) { out.put(word.bits, word.length); }
 
     std::vector<CodeWord> literals_, distances_;
     std::array<CodeWord, kLongest + 1> lengthWords_;
     std::vector<CodeWord> distanceWords_;
 };
 
-/// No block is longer: 15 bits a byte, its header, and what BitWriter::flush() may touch.
+/// No block is longer: 14 bits a byte, its header, and what BitWriter::flush() may touch.
 constexpr std::size_t kBlockBound = 2 * kBlock + 512;
 
 void putChecksum(std::span<const std::uint8_t> bytes, std::uint8_t* to) {
@@ -255,7 +294,7 @@ std::size_t rowDeflateBound(std::size_t size) {
 
 std::size_t rowDeflate(std::span<const std::uint8_t> bytes, std::size_t rowLength,
                        std::size_t rowsBack, std::span<std::uint8_t> packed) {
-    const Matcher matcher(bytes, distancesOf(rowLength, rowsBack));
+    Matcher matcher(bytes, distancesOf(rowLength, rowsBack));
     std::vector<Step> steps;
     packed[0] = 0x78;  // deflate with a window of 32768 bytes
     packed[1] = 0x5E;  // a fast encoder; with the byte before a multiple of 31

@@ -31,6 +31,10 @@ struct SpectralWriter::Implementation {
           file(path),
           context(file.temporaryPath(), path.string(), h, s) {}
 
+    std::size_t planeRowBytes() const {
+        return std::size_t(header.data.width) * bytesPerSample(storage.sampleType);
+    }
+
     SpectralHeader header;
     StorageOptions storage;
     OutputFile file;
@@ -62,8 +66,8 @@ int SpectralWriter::chunkRows(int chunk) const {
 }
 
 std::size_t SpectralWriter::chunkBytes(int chunk) const {
-    return std::size_t(chunkRows(chunk)) * std::size_t(implementation_->header.data.width) *
-           std::size_t(channelCount()) * bytesPerSample(implementation_->storage.sampleType);
+    return std::size_t(chunkRows(chunk)) * std::size_t(channelCount()) *
+           implementation_->planeRowBytes();
 }
 
 std::vector<std::byte> SpectralWriter::pack(int chunk, std::span<const std::byte> samples) const {
@@ -72,7 +76,7 @@ std::vector<std::byte> SpectralWriter::pack(int chunk, std::span<const std::byte
     switch (i.storage.compression) {
         case Compression::zip:
         case Compression::zips:
-            return packZip(samples, i.storage.level);
+            return packZip(samples, i.planeRowBytes(), i.storage.level);
         case Compression::piz:
             return packPiz(i.context, i.header.data.y + chunkFirstRow(chunk), samples);
         case Compression::none:

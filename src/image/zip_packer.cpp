@@ -1,100 +1,71 @@
 #include "zip_packer.h"
 
-#include <specbake/core/error.h>
+#include "row_deflate.h"
+
 #include <specbake/image/spectral_layout.h>
 
-#include <isa-l/igzip_lib.h>
 #include <libdeflate.h>
 
-#ifdef __x86_64__
-#include <immintrin.h>
-#endif
-
-#include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
+#include <new>
 
 namespace specbake {
 namespace {
 
+using Bytes = std::span<const std::uint8_t>;
+
+/// Every second byte of `from`, `count` of them, as differences; the first one's is to `before`.
+void predict(const std::uint8_t* from, std::size_t count, std::uint8_t before, std::uint8_t* to) {
+    if (count == 0) return;
+    to[0] = std::uint8_t(from[0] - before + 128);
+    for (std::size_t i = 1; i < count; ++i) {
+        to[i] = std::uint8_t(from[2 * i] - from[2 * i - 2] + 128);
+    }
+}
+
 /// "reordering and predictor" of the OpenEXR file layout document.
-std::vector<std::uint8_t> splitAndPredict(std::span<const std::byte> samples) {
-    const std::size_t size = samples.size();
-    const std::size_t half = (size + 1) / 2;
-    std::vector<std::uint8_t> split(size);
-    for (std::size_t i = 0; i < size / 2; ++i) {
-        split[i] = std::uint8_t(samples[2 * i]);
-        split[half + i] = std::uint8_t(samples[2 * i + 1]);
-    }
-    if (size % 2 == 1) split[half - 1] = std::uint8_t(samples[size - 1]);
-    std::vector<std::uint8_t> predicted(size);
-    if (size > 0) predicted[0] = split[0];
-    for (std::size_t i = 1; i < size; ++i) {
-        predicted[i] = std::uint8_t(split[i] - split[i - 1] + 128);
-    }
-    return predicted;
+void splitAndPredict(Bytes samples, std::vector<std::uint8_t>& predicted) {
+    const std::size_t even = (samples.size() + 1) / 2;
+    predicted.resize(samples.size());
+    predict(samples.data(), even, 128, predicted.data());  // the first byte stays as it is
+    if (samples.size() < 2) return;
+    predict(samples.data() + 1, samples.size() / 2, samples[2 * even - 2], predicted.data() + even);
 }
 
-/// ISA-L may return with the upper halves of the vector registers in use. On many processors that
-/// makes all SSE code of the thread several times slower from then on, the C library's included.
-#ifdef __x86_64__
-__attribute__((target("avx"))) void clearUpperHalves() {
-    _mm256_zeroupper();
-}
-void restoreVectorState() {
-    if (__builtin_cpu_supports("avx")) clearUpperHalves();
-}
-#else
-void restoreVectorState() {}
-#endif
-
-/// Compresses into `packed`; false if it does not fit.
-bool deflateFast(std::span<const std::uint8_t> bytes, int level, std::vector<std::byte>& packed) {
-    constexpr std::array<std::size_t, 4> bufferSizes = {
-        ISAL_DEF_LVL0_DEFAULT, ISAL_DEF_LVL1_DEFAULT, ISAL_DEF_LVL2_DEFAULT, ISAL_DEF_LVL3_DEFAULT};
-    std::vector<std::uint8_t> buffer(bufferSizes.at(std::size_t(level)));
-    const auto stream = std::make_unique<isal_zstream>();
-    isal_deflate_stateless_init(stream.get());
-    stream->level = std::uint32_t(level);
-    stream->level_buf = buffer.data();
-    stream->level_buf_size = std::uint32_t(buffer.size());
-    stream->gzip_flag = IGZIP_ZLIB;
-    stream->end_of_stream = 1;
-    stream->next_in = const_cast<std::uint8_t*>(bytes.data());  // a C interface; it only reads
-    stream->avail_in = std::uint32_t(bytes.size());
-    stream->next_out = reinterpret_cast<std::uint8_t*>(packed.data());
-    stream->avail_out = std::uint32_t(packed.size());
-    const int result = isal_deflate_stateless(stream.get());
-    restoreVectorState();
-    if (result != COMP_OK) return false;
-    packed.resize(stream->total_out);
-    return true;
-}
-
-bool deflateSmall(std::span<const std::uint8_t> bytes, int level, std::vector<std::byte>& packed) {
+/// The size of the packed bytes; 0 if they do not fit.
+std::size_t deflateSmall(Bytes bytes, int level, std::span<std::uint8_t> packed) {
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
         libdeflate_alloc_compressor(level), libdeflate_free_compressor);
     if (!compressor) throw std::bad_alloc();
-    const std::size_t size = libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(),
-                                                      packed.data(), packed.size());
-    packed.resize(size);
-    return size > 0;
+    return libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), packed.data(),
+                                    bytes.size());
 }
+
+std::size_t deflate(Bytes bytes, std::size_t rowLength, int level, std::span<std::uint8_t> packed) {
+    if (level > StorageOptions::kFastestSmall) return deflateSmall(bytes, level, packed);
+    if (rowLength > kDeflateWindow) return deflateSmall(bytes, 1, packed);
+    return rowDeflate(bytes, rowLength, std::size_t(level), packed);
+}
+
+/// Memory that a thread keeps from chunk to chunk: fresh pages cost as much as the prediction.
+struct Scratch {
+    std::vector<std::uint8_t> predicted;
+    std::vector<std::uint8_t> packed;
+};
 
 }  // namespace
 
-std::vector<std::byte> packZip(std::span<const std::byte> samples, int level) {
-    if (samples.size() > std::numeric_limits<std::uint32_t>::max()) {
-        throw ArgumentError("a chunk of more than 4 GiB");
-    }
-    const std::vector<std::uint8_t> bytes = splitAndPredict(samples);
-    std::vector<std::byte> packed(samples.size());
-    const bool fast = level <= StorageOptions::kFastestSmall;
-    const bool shrunk =
-        fast ? deflateFast(bytes, level, packed) : deflateSmall(bytes, level, packed);
-    if (!shrunk || packed.size() >= samples.size()) packed.assign(samples.begin(), samples.end());
-    return packed;
+std::vector<std::byte> packZip(std::span<const std::byte> samples, std::size_t rowBytes,
+                               int level) {
+    thread_local Scratch scratch;
+    splitAndPredict({reinterpret_cast<const std::uint8_t*>(samples.data()), samples.size()},
+                    scratch.predicted);
+    scratch.packed.resize(rowDeflateBound(samples.size()));
+    const std::size_t size = deflate(scratch.predicted, rowBytes / 2, level, scratch.packed);
+    if (size == 0 || size >= samples.size()) return {samples.begin(), samples.end()};
+    const auto* packed = reinterpret_cast<const std::byte*>(scratch.packed.data());
+    return {packed, packed + size};
 }
 
 }  // namespace specbake

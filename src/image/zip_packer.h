@@ -8,9 +8,10 @@ namespace specbake {
 
 /// OpenEXR's ZIP: the bytes of the samples split into even and odd ones, each replaced by its
 /// difference to the one before (plus 128), in a zlib container; or the samples as they are where
-/// that does not make them shorter.
+/// that does not make them shorter. The same bytes on every processor.
 ///
-/// level 1 to 3: ISA-L's deflate, 4 to 12: libdeflate's.
-std::vector<std::byte> packZip(std::span<const std::byte> samples, int level);
+/// `rowBytes`: of one channel's row, even. level 1 to 3: rowDeflate() looking back as many rows
+/// (row_deflate.h), where they fit its window; 4 to 12, and 1 beyond the window: libdeflate's.
+std::vector<std::byte> packZip(std::span<const std::byte> samples, std::size_t rowBytes, int level);
 
 }  // namespace specbake

@@ -34,7 +34,7 @@ struct StorageOptions {
     Compression compression = Compression::zip;
     int level = kFastestSmall;  ///< of zip and zips
 
-    /// Levels 1 to 3 are ISA-L's (fast), 4 to 12 libdeflate's (small).
+    /// Levels 1 to 3 are our own encoder's (fast), 4 to 12 libdeflate's (small).
     static constexpr int kFastestSmall = 3;
     static constexpr int kHighestLevel = 12;
 };

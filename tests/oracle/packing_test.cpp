@@ -1,0 +1,165 @@
+#include <specbake/image/spectral_writer.h>
+
+#include <Imath/half.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenImageIO/imageio.h>
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <random>
+
+using namespace specbake;
+
+namespace {
+
+/// A file of samples that look like a spectral texture's: a few colours, smooth along the planes.
+class PackedFile {
+  public:
+    PackedFile(const Window& window, const StorageOptions& storage, bool alpha)
+        : path_(std::filesystem::temp_directory_path() /
+                ("specbake-packing-" + std::to_string(getpid()) + ".exr")),
+          width_(std::size_t(window.width)),
+          rows_(std::size_t(window.height)),
+          names_(channelNames(alpha)),
+          sampleBytes_(bytesPerSample(storage.sampleType)),
+          bytes_(rows_ * names_.size() * width_ * sampleBytes_) {
+        fill();
+        SpectralHeader header;
+        header.data = header.display = window;
+        header.alpha = alpha;
+        SpectralWriter writer(path_, header, storage);
+        std::span<const std::byte> left = bytes_;
+        for (int chunk = 0; chunk < writer.chunkCount(); ++chunk) {
+            writer.write(chunk, writer.pack(chunk, left.first(writer.chunkBytes(chunk))));
+            left = left.subspan(writer.chunkBytes(chunk));
+        }
+        writer.commit();
+    }
+    ~PackedFile() { std::filesystem::remove(path_); }
+    PackedFile(const PackedFile&) = delete;
+    PackedFile& operator=(const PackedFile&) = delete;
+
+    std::string path() const { return path_.string(); }
+    const std::vector<std::string>& names() const { return names_; }
+    std::size_t sampleBytes() const { return sampleBytes_; }
+    /// A channel's sample as it was given to the writer.
+    const std::byte* sample(std::size_t row, std::size_t channel, std::size_t x) const {
+        return bytes_.data() + ((row * names_.size() + channel) * width_ + x) * sampleBytes_;
+    }
+
+  private:
+    void fill() {
+        std::mt19937 random(5);
+        std::vector<unsigned> colors(rows_ * width_);
+        for (unsigned& color : colors) color = unsigned(random() % 6);
+        std::size_t at = 0;
+        for (std::size_t row = 0; row < rows_; ++row) {
+            for (std::size_t c = 0; c < names_.size(); ++c) {
+                for (std::size_t x = 0; x < width_; ++x, at += sampleBytes_) {
+                    const float phase = float(colors[row * width_ + x]) + float(c) / 20;
+                    store(0.5F + 0.5F * std::sin(phase), bytes_.data() + at);
+                }
+            }
+        }
+    }
+    void store(float value, std::byte* to) const {
+        const Imath::half narrow = value;
+        sampleBytes_ == 2 ? std::memcpy(to, &narrow, 2) : std::memcpy(to, &value, 4);
+    }
+
+    std::filesystem::path path_;
+    std::size_t width_, rows_;
+    std::vector<std::string> names_;
+    std::size_t sampleBytes_;
+    std::vector<std::byte> bytes_;
+};
+
+/// Bytes that OpenEXR's C++ classes read, row by row, channel by channel.
+std::vector<std::byte> readByOpenEXR(const PackedFile& file, const Window& window) {
+    Imf::InputFile input(file.path().c_str());
+    const std::size_t plane = std::size_t(window.width) * file.sampleBytes();
+    const std::size_t row = plane * file.names().size();
+    std::vector<std::byte> bytes(row * std::size_t(window.height));
+    const auto type = file.sampleBytes() == 2 ? Imf::HALF : Imf::FLOAT;
+    Imf::FrameBuffer frame;
+    for (std::size_t c = 0; c < file.names().size(); ++c) {
+        REQUIRE(input.header().channels()[file.names()[c].c_str()].type == type);
+        auto* base = reinterpret_cast<char*>(bytes.data() + c * plane) -
+                     std::ptrdiff_t(window.y) * std::ptrdiff_t(row) -
+                     std::ptrdiff_t(window.x) * std::ptrdiff_t(file.sampleBytes());
+        frame.insert(file.names()[c].c_str(), Imf::Slice(type, base, file.sampleBytes(), row));
+    }
+    input.setFrameBuffer(frame);
+    input.readPixels(window.y, window.y + window.height - 1);
+    return bytes;
+}
+
+int differencesByOpenEXR(const PackedFile& file, const Window& window) {
+    const auto bytes = readByOpenEXR(file, window);
+    return std::memcmp(bytes.data(), file.sample(0, 0, 0), bytes.size());
+}
+
+int differencesByOpenImageIO(const PackedFile& file, const Window& window) {
+    const auto input = OIIO::ImageInput::open(file.path());
+    REQUIRE(input);
+    const OIIO::ImageSpec& spec = input->spec();
+    REQUIRE(spec.nchannels == int(file.names().size()));
+    const auto channels = file.names().size();
+    std::vector<std::byte> pixels(spec.image_bytes(true));
+    REQUIRE(input->read_image(0, 0, 0, spec.nchannels, spec.format, pixels.data()));
+    int differences = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+        const auto theirs = std::size_t(spec.channelindex(file.names()[c]));
+        for (std::size_t i = 0; i < std::size_t(window.width * window.height); ++i) {
+            const auto width = std::size_t(window.width);
+            differences +=
+                std::memcmp(pixels.data() + (i * channels + theirs) * file.sampleBytes(),
+                            file.sample(i / width, c, i % width), file.sampleBytes()) != 0;
+        }
+    }
+    return differences;
+}
+
+struct Packing {
+    Compression compression;
+    int level;
+};
+
+}  // namespace
+
+TEST_CASE("OpenEXR and OpenImageIO read every packing back, bit for bit") {
+    const std::vector<Window> windows = {
+        {0, 0, 1, 1}, {-3, 5, 37, 33}, {0, 0, 64, 16}, {2, -7, 129, 19}, {0, 0, 2, 70}};
+    const std::vector<Packing> packings = {
+        {Compression::none, 3}, {Compression::zip, 1},  {Compression::zip, 2},
+        {Compression::zip, 3},  {Compression::zip, 6},  {Compression::zips, 1},
+        {Compression::zips, 3}, {Compression::zips, 6}, {Compression::piz, 3}};
+    for (const Window& window : windows) {
+        for (const auto& [compression, level] : packings) {
+            for (const SampleType type : {SampleType::half, SampleType::float32}) {
+                const bool alpha = (window.width + level) % 2 == 0;
+                const PackedFile file(window, {type, compression, level}, alpha);
+                CAPTURE(window.width);
+                CAPTURE(int(compression));
+                CAPTURE(level);
+                CAPTURE(alpha);
+                CHECK(differencesByOpenEXR(file, window) == 0);
+                CHECK(differencesByOpenImageIO(file, window) == 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("rows longer than deflate's window are packed and read back") {
+    const Window window = {0, 0, 33'000, 2};
+    for (const SampleType type : {SampleType::half, SampleType::float32}) {
+        const PackedFile file(window, {type, Compression::zip, 3}, false);
+        CHECK(differencesByOpenEXR(file, window) == 0);
+    }
+}
