@@ -1,14 +1,12 @@
 #include "zip_packer.h"
 
+#include "vector_state.h"
+
 #include <specbake/core/error.h>
 #include <specbake/image/spectral_layout.h>
 
 #include <isa-l/igzip_lib.h>
 #include <libdeflate.h>
-
-#ifdef __x86_64__
-#include <immintrin.h>
-#endif
 
 #include <array>
 #include <cstdint>
@@ -35,19 +33,6 @@ std::vector<std::uint8_t> splitAndPredict(std::span<const std::byte> samples) {
     }
     return predicted;
 }
-
-/// ISA-L may return with the upper halves of the vector registers in use. On many processors that
-/// makes all SSE code of the thread several times slower from then on, the C library's included.
-#ifdef __x86_64__
-__attribute__((target("avx"))) void clearUpperHalves() {
-    _mm256_zeroupper();
-}
-void restoreVectorState() {
-    if (__builtin_cpu_supports("avx")) clearUpperHalves();
-}
-#else
-void restoreVectorState() {}
-#endif
 
 /// Compresses into `packed`; false if it does not fit.
 bool deflateFast(std::span<const std::uint8_t> bytes, int level, std::vector<std::byte>& packed) {
