@@ -1,6 +1,7 @@
 #include "image_file.h"
 
 #include "openimageio_parts.h"
+#include "plain_exr.h"
 #include "plain_png.h"
 
 #include <specbake/core/error.h>
@@ -9,6 +10,7 @@ namespace specbake {
 
 std::unique_ptr<ImageFile> openImageFile(const std::string& path, int threads) {
     if (auto png = openPlainPng(path)) return png;
+    if (auto exr = openPlainExr(path)) return exr;
     return openImageIOParts(path).openImage(path, threads);
 }
 
