@@ -27,9 +27,11 @@ bool takeOver(const exr_attribute_t& attribute, ExrDescription& description) {
                                             c.blue_x, c.blue_y, c.white_x, c.white_y};
         return true;
     }
+    const bool ours = own.contains(name) || name.starts_with("specbake:");
+    if (ours && attribute.type == EXR_ATTR_INT) return true;
     if (attribute.type != EXR_ATTR_STRING) return false;
     const std::string value(attribute.string->str, std::size_t(attribute.string->length));
-    if (own.contains(name) || name.starts_with("specbake:")) {
+    if (ours) {
         description.texts[std::string(name)] = value;
         return true;
     }

@@ -63,6 +63,7 @@ OIIO::ImageSpec randomSpec(Random& random) {
     spec.attribute("compression", compressions[below(random, 4)]);
     if (below(random, 2) == 0) spec.attribute("PixelAspectRatio", 0.25F + float(below(random, 8)));
     if (below(random, 2) == 0) spec.attribute("specbake:illuminant", "D65");
+    if (below(random, 2) == 0) spec.attribute("specbake:grid", 17);
     if (below(random, 2) == 0) spec.attribute("DateTime", "2024:02:29 23:59:60");
     return spec;
 }
