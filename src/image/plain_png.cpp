@@ -67,6 +67,18 @@ bool isGammaOfSRGB(std::span<const std::uint8_t> data) {
     return data.size() == 4 && bigEndian(data) == gamma;
 }
 
+/// So does a cHRM of the primaries of sRGB (PNG specification, 11.3.3): x and y of white, red,
+/// green and blue, times 100000.
+bool isPrimariesOfSRGB(std::span<const std::uint8_t> data) {
+    constexpr std::array<std::uint32_t, 8> primaries = {31270, 32900, 64000, 33000,
+                                                        30000, 60000, 15000, 6000};
+    if (data.size() != 4 * primaries.size()) return false;
+    for (std::size_t i = 0; i < primaries.size(); ++i) {
+        if (bigEndian(data.subspan(4 * i)) != primaries[i]) return false;
+    }
+    return true;
+}
+
 /// An offset (extensions to the PNG specification, oFFs) of none.
 bool isNoOffset(std::span<const std::uint8_t> data) {
     return data.size() == 9 && bigEndian(data) == 0 && bigEndian(data.subspan(4)) == 0;
@@ -88,6 +100,7 @@ std::optional<std::string> dateTime(std::span<const std::uint8_t> t) {
 bool takeOver(const PngChunk& chunk, std::span<const std::uint8_t> data, Attributes& attributes) {
     if (isType(chunk, "sRGB")) return data.size() == 1;
     if (isType(chunk, "gAMA")) return isGammaOfSRGB(data);
+    if (isType(chunk, "cHRM")) return isPrimariesOfSRGB(data);
     if (isType(chunk, "oFFs")) return isNoOffset(data);
     if (!isType(chunk, "tIME")) return false;
     const auto time = dateTime(data);
@@ -103,7 +116,7 @@ struct PlainParts {
 
 /// Nothing if any chunk is not plain, stands where it should not or twice.
 std::optional<PlainParts> plainParts(const std::string& path, const std::vector<PngChunk>& chunks) {
-    constexpr std::uint32_t longestPlain = 9;  // oFFs
+    constexpr std::uint32_t longestPlain = 32;  // cHRM
     const auto hasPixels = [](const PngChunk& chunk) { return isType(chunk, "IDAT"); };
     const auto first = std::find_if(chunks.begin(), chunks.end(), hasPixels);
     const auto last = std::find_if_not(first, chunks.end(), hasPixels);

@@ -75,6 +75,15 @@ std::string refusal(const PngFile& png) {
     return "none";
 }
 
+/// cHRM of sRGB, whose last number may be another.
+std::string primariesChunk(std::uint32_t blueY) {
+    std::string data;
+    for (const std::uint32_t number : {31270U, 32900U, 64000U, 33000U, 30000U, 60000U, 15000U}) {
+        data += bigEndian(number, 4);
+    }
+    return pngChunk("cHRM", data + bigEndian(blueY, 4));
+}
+
 }  // namespace
 
 TEST_CASE("the PNGs of testimages/ but the one with a palette are plain, and read the same") {
@@ -135,8 +144,8 @@ TEST_CASE("rows may be asked for in any order") {
 
 TEST_CASE("what says nothing new beside the pixels, and a time, read the same") {
     const std::string chunks[] = {pngChunk("sRGB", std::string(1, '\0')),
-                                  pngChunk("gAMA", bigEndian(45455, 4)), timeChunk(2),
-                                  pngChunk("oFFs", std::string(9, '\0'))};
+                                  pngChunk("gAMA", bigEndian(45455, 4)), primariesChunk(6000),
+                                  timeChunk(2), pngChunk("oFFs", std::string(9, '\0'))};
     PngFile png = smallPng();
     for (const std::string& chunk : chunks) {
         png.before += chunk;
@@ -149,7 +158,7 @@ TEST_CASE("what says nothing new beside the pixels, and a time, read the same") 
 
 TEST_CASE("anything else is left to OpenImageIO") {
     const std::string chunks[] = {pngChunk("gAMA", bigEndian(100000, 4)),
-                                  pngChunk("cHRM", std::string(32, '\1')),
+                                  primariesChunk(6001),
                                   pngChunk("pHYs", std::string(9, '\1')),
                                   pngChunk("oFFs", std::string(9, '\1')),
                                   pngChunk("tEXt", std::string("Author\0me", 9)),
