@@ -126,19 +126,19 @@ TEST_CASE("a stream longer than any buffer reads the same") {
 
 TEST_CASE("rows may be asked for in any order") {
     Random random(3);
-    PngFile png = smallPng();
-    png.height = 20;
-    png.packed = zlibStream(randomRows(random, png));
-    const TemporaryFile file(png.contents());
-    const auto image = openPlainPng(file.path());
-    REQUIRE(image);
-    const std::vector<std::byte> all = allOf(*image);
-    for (int i = 0; i < 100; ++i) {
-        const int first = below(random, 20);
-        const int count = 1 + below(random, 20 - first);
-        const auto begin = all.begin() + std::ptrdiff_t(first) * std::ptrdiff_t(png.rowBytes());
-        const auto end = begin + std::ptrdiff_t(count) * std::ptrdiff_t(png.rowBytes());
-        CHECK(rowsOf(*image, first, count) == std::vector<std::byte>(begin, end));
+    for (int i = 0; i < 20; ++i) {  // four in five first rows are filtered
+        const PngFile png = randomPng(random);
+        const TemporaryFile file(png.contents());
+        const auto image = openPlainPng(file.path());
+        REQUIRE(image);
+        const std::vector<std::byte> all = allOf(*image);
+        for (int n = 0; n < 20; ++n) {
+            const int first = below(random, int(png.height));
+            const int count = 1 + below(random, int(png.height) - first);
+            const auto begin = all.begin() + std::ptrdiff_t(first) * std::ptrdiff_t(png.rowBytes());
+            const auto end = begin + std::ptrdiff_t(count) * std::ptrdiff_t(png.rowBytes());
+            CHECK(rowsOf(*image, first, count) == std::vector<std::byte>(begin, end));
+        }
     }
 }
 
