@@ -20,6 +20,8 @@ foreach(program IN LISTS programs)
   install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endforeach()
 
+install(TARGETS specbake_openimageio LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/specbake)
+
 install(EXPORT specbakeTargets NAMESPACE specbake:: DESTINATION ${destination})
 configure_package_config_file(cmake/specbakeConfig.cmake.in specbakeConfig.cmake
                               INSTALL_DESTINATION ${destination})

@@ -18,27 +18,25 @@ std::string oneLine(std::string text);
 class RowSource {
   public:
     /// Throws FileError if the file cannot be opened or is no image of bounded size.
-    /// Samples are read in the file's own type until setSampleType() says otherwise; colour is not
-    /// multiplied by alpha unless the file holds it so. `threads` unpack the rows of an EXR; they
-    /// are those of the process: the file that is opened last decides for all.
+    /// Colour is not multiplied by alpha unless the file holds it so. `threads` unpack the rows of
+    /// an EXR; they are those of the process: the file that is opened last decides for all.
     RowSource(const std::string& path, int threads);
 
     const OIIO::ImageSpec& spec() const { return input_->spec(); }
     OIIO::ImageInput& input() { return *input_; }
-    void setSampleType(OIIO::TypeDesc type) { type_ = type; }
 
-    /// Rows [first, first + count), counted from 0. Throws FileError.
-    void read(int first, int count, std::span<std::byte> samples);
+    /// Rows [first, first + count), counted from 0, as samples of that type. Throws FileError.
+    void read(int first, int count, OIIO::TypeDesc type, std::span<std::byte> samples);
 
   private:
-    void readTileRow(int tileRow);
+    void readTileRow(int tileRow, OIIO::TypeDesc type);
     [[noreturn]] void fail();
 
     std::string path_;
     std::unique_ptr<OIIO::ImageInput> input_;
-    OIIO::TypeDesc type_;
-    std::vector<std::byte> tiles_;  ///< one row of tiles
+    std::vector<std::byte> tiles_;  ///< row tileRow_ of the tiles, as samples of tileType_
     int tileRow_ = -1;
+    OIIO::TypeDesc tileType_;
 };
 
 }  // namespace specbake

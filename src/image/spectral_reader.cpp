@@ -1,4 +1,4 @@
-#include "row_source.h"
+#include "image_file.h"
 
 #include <specbake/core/error.h>
 #include <specbake/image/spectral_reader.h>
@@ -12,15 +12,16 @@ namespace {
 constexpr int kMissing = -1;
 
 /// For each band, the index of its channel in the file.
-std::array<int, kBandCount> bandChannels(const std::string& path, const OIIO::ImageSpec& spec) {
+std::array<int, kBandCount> bandChannels(const std::string& path,
+                                         const std::vector<std::string>& names) {
     std::array<int, kBandCount> channels;
     channels.fill(kMissing);
-    for (int c = 0; c < spec.nchannels; ++c) {
-        const auto nm = bandWavelength(std::string(spec.channel_name(c)));
+    for (std::size_t c = 0; c < names.size(); ++c) {
+        const auto nm = bandWavelength(names[c]);
         if (!nm) continue;
         const double band = (*nm - kFirstWavelength) / kWavelengthStep;
         if (band == std::floor(band) && band >= 0 && band < kBandCount) {
-            channels[std::size_t(band)] = c;
+            channels[std::size_t(band)] = int(c);
         }
     }
     for (int band = 0; band < kBandCount; ++band) {
@@ -36,16 +37,16 @@ std::array<int, kBandCount> bandChannels(const std::string& path, const OIIO::Im
 
 struct SpectralReader::Implementation {
     Implementation(const std::string& path, int threads)
-        : source(path, threads), channels(bandChannels(path, source.spec())) {
-        source.setSampleType(OIIO::TypeFloat);
-        const OIIO::ImageSpec& spec = source.spec();
-        header.data = {spec.x, spec.y, spec.width, spec.height};
-        header.display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
-        header.pixelAspectRatio = spec.get_float_attribute("PixelAspectRatio", 1.0F);
-        header.alpha = spec.alpha_channel >= 0;
+        : file(openImageFile(path, threads)),
+          channels(bandChannels(path, file->description().channels)) {
+        const ImageDescription& d = file->description();
+        header.data = d.data;
+        header.display = d.display;
+        header.pixelAspectRatio = d.pixelAspectRatio;
+        header.alpha = d.alpha.has_value();
     }
 
-    RowSource source;
+    std::unique_ptr<ImageFile> file;
     std::array<int, kBandCount> channels;
     SpectralHeader header;
     std::vector<float> texels;
@@ -76,29 +77,28 @@ StorageFacts SpectralReader::facts() const {
 }
 
 std::optional<std::string> SpectralReader::text(const std::string& attribute) const {
-    const auto* value = implementation_->source.spec().find_attribute(attribute, OIIO::TypeString);
-    if (value == nullptr) return {};
-    return value->get_string();
+    return implementation_->file->text(attribute);
 }
 
 void SpectralReader::readRows(int first, int count, std::span<float> samples,
                               std::span<float> alpha) {
     Implementation& i = *implementation_;
-    const auto channels = std::size_t(i.source.spec().nchannels);
+    const auto channels = i.file->description().channels.size();
     const std::size_t texels = std::size_t(count) * std::size_t(i.header.data.width);
     if (samples.size() < texels * kBandCount || (!alpha.empty() && alpha.size() < texels)) {
         throw ArgumentError("a buffer too small for its rows");
     }
     i.texels.resize(texels * channels);
-    i.source.read(first, count, std::as_writable_bytes(std::span(i.texels)));
+    i.file->readRows(first, count, SampleType::float32,
+                     std::as_writable_bytes(std::span(i.texels)));
     for (std::size_t t = 0; t < texels; ++t) {
         for (std::size_t band = 0; band < kBandCount; ++band) {
             samples[t * kBandCount + band] = i.texels[t * channels + std::size_t(i.channels[band])];
         }
     }
-    const int opacity = i.source.spec().alpha_channel;
-    for (std::size_t t = 0; opacity >= 0 && t < alpha.size(); ++t) {
-        alpha[t] = i.texels[t * channels + std::size_t(opacity)];
+    const std::optional<int> opacity = i.file->description().alpha;
+    for (std::size_t t = 0; opacity && t < alpha.size(); ++t) {
+        alpha[t] = i.texels[t * channels + std::size_t(*opacity)];
     }
 }
 

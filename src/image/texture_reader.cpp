@@ -1,5 +1,4 @@
-#include "metadata.h"
-#include "row_source.h"
+#include "image_file.h"
 
 #include <specbake/core/error.h>
 #include <specbake/image/texture_reader.h>
@@ -7,45 +6,18 @@
 namespace specbake {
 namespace {
 
-SampleType sampleTypeOf(const OIIO::TypeDesc& format) {
-    switch (format.basetype) {
-        case OIIO::TypeDesc::UINT8:
-            return SampleType::uint8;
-        case OIIO::TypeDesc::UINT16:
-            return SampleType::uint16;
-        case OIIO::TypeDesc::HALF:
-            return SampleType::half;
-        default:
-            return SampleType::float32;
-    }
+bool isXYZ(const ImageDescription& image) {
+    const auto& names = image.channels;
+    return names.size() >= 3 && names[0] == "X" && names[1] == "Y" && names[2] == "Z";
 }
 
-OIIO::TypeDesc descriptionOf(SampleType type) {
-    switch (type) {
-        case SampleType::uint8:
-            return OIIO::TypeUInt8;
-        case SampleType::uint16:
-            return OIIO::TypeUInt16;
-        case SampleType::half:
-            return OIIO::TypeHalf;
-        case SampleType::float32:
-            break;
-    }
-    return OIIO::TypeFloat;
-}
-
-bool isXYZ(const OIIO::ImageSpec& spec) {
-    return spec.nchannels >= 3 && spec.channel_name(0) == "X" && spec.channel_name(1) == "Y" &&
-           spec.channel_name(2) == "Z";
-}
-
-ColorSpace automaticSpace(const OIIO::ImageSpec& spec, SampleType type) {
-    if (isXYZ(spec)) return *findColorSpace("xyz");
+ColorSpace automaticSpace(const ImageDescription& image) {
+    if (isXYZ(image)) return *findColorSpace("xyz");
+    const SampleType type = image.sampleType;
     if (type == SampleType::uint8 || type == SampleType::uint16) return *findColorSpace("srgb");
-    if (const auto* attribute =
-            spec.find_attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8))) {
-        const auto* c = static_cast<const float*>(attribute->data());
-        const auto at = [&](int i) { return Chromaticity{double(c[i]), double(c[i + 1])}; };
+    if (image.chromaticities) {
+        const auto& c = *image.chromaticities;
+        const auto at = [&](std::size_t i) { return Chromaticity{double(c[i]), double(c[i + 1])}; };
         return colorSpaceFromPrimaries({at(0), at(2), at(4), at(6)});
     }
     return *findColorSpace("lin_rec709");
@@ -63,36 +35,20 @@ void checkChannels(const TextureInfo& info) {
     }
 }
 
-/// What of the file is left aside, a line each.
-std::vector<std::string> notesOn(OIIO::ImageInput& input) {
-    std::vector<std::string> notes;
-    if (input.seek_subimage(1, 0)) notes.push_back("only the first of its subimages is used");
-    if (input.seek_subimage(0, 1)) notes.push_back("only the first of its mip levels is used");
-    input.geterror();
-    input.seek_subimage(0, 0);
-    const int orientation = input.spec().get_int_attribute("Orientation", 1);
-    if (orientation != 1) {
-        notes.push_back("its orientation (Exif " + std::to_string(orientation) +
-                        ") is not used: texels stay where they are stored");
-    }
-    return notes;
-}
-
-TextureInfo infoOf(const std::string& path, RowSource& source) {
-    const OIIO::ImageSpec spec = source.spec();
+TextureInfo infoOf(const std::string& path, const ImageDescription& image) {
     TextureInfo info;
     info.path = path;
-    info.data = {spec.x, spec.y, spec.width, spec.height};
-    info.display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
-    info.pixelAspectRatio = spec.get_float_attribute("PixelAspectRatio", 1.0F);
-    info.channels = spec.nchannels;
-    if (spec.alpha_channel >= 0 && spec.nchannels > 1) info.alpha = spec.alpha_channel;
-    info.associatedAlpha = info.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
-    info.sampleType = sampleTypeOf(spec.format);
+    info.data = image.data;
+    info.display = image.display;
+    info.pixelAspectRatio = image.pixelAspectRatio;
+    info.channels = int(image.channels.size());
+    if (info.channels > 1) info.alpha = image.alpha;
+    info.associatedAlpha = info.alpha && image.associatedAlpha;
+    info.sampleType = image.sampleType;
     checkChannels(info);
-    info.automaticSpace = automaticSpace(spec, info.sampleType);
-    info.attributes = metadataOf(spec);
-    info.notes = notesOn(source.input());
+    info.automaticSpace = automaticSpace(image);
+    info.attributes = image.attributes;
+    info.notes = image.notes;
     return info;
 }
 
@@ -100,10 +56,8 @@ TextureInfo infoOf(const std::string& path, RowSource& source) {
 
 struct TextureReader::Implementation {
     Implementation(const std::string& path, int threads)
-        : source(path, threads), info(infoOf(path, source)) {
-        source.setSampleType(descriptionOf(info.sampleType));
-    }
-    RowSource source;
+        : file(openImageFile(path, threads)), info(infoOf(path, file->description())) {}
+    std::unique_ptr<ImageFile> file;
     TextureInfo info;
 };
 
@@ -118,7 +72,7 @@ const TextureInfo& TextureReader::info() const {
 }
 
 void TextureReader::readRows(int first, int count, std::span<std::byte> samples) {
-    implementation_->source.read(first, count, samples);
+    implementation_->file->readRows(first, count, implementation_->info.sampleType, samples);
 }
 
 }  // namespace specbake

@@ -1,4 +1,4 @@
-#include "png_check.h"
+#include "png_chunks.h"
 
 #include <specbake/core/error.h>
 
@@ -18,6 +18,9 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n"sv;
 
+constexpr std::array<char, 4> kHeader = {'I', 'H', 'D', 'R'};
+constexpr std::array<char, 4> kEnd = {'I', 'E', 'N', 'D'};
+
 /// The chunks of a PNG, one after the other (PNG specification, 5.3): length, type, data, checksum
 /// of type and data.
 class Chunks {
@@ -30,11 +33,12 @@ class Chunks {
         return in_ && first == kSignature;
     }
 
-    /// Reads a chunk and gives its type.
-    std::string next() {
+    /// Passes over a chunk.
+    PngChunk next() {
         const std::uint32_t length = number();
-        std::string type(4, '\0');
+        std::array<char, 4> type{};
         read(type.data(), type.size());
+        const auto offset = std::uint64_t(in_.tellg());
         if (!std::all_of(type.begin(), type.end(), isLetter)) fail("damaged: a chunk of no type");
         std::uint32_t sum = libdeflate_crc32(0, type.data(), type.size());
         for (std::size_t left = length; left > 0;) {
@@ -43,8 +47,11 @@ class Chunks {
             sum = libdeflate_crc32(sum, buffer_.data(), part);
             left -= part;
         }
-        if (number() != sum) fail("damaged: wrong checksum of its " + type + " chunk");
-        return type;
+        if (number() != sum) {
+            fail("damaged: wrong checksum of its " + std::string(type.data(), type.size()) +
+                 " chunk");
+        }
+        return {type, length, offset};
     }
 
     [[noreturn]] void fail(const std::string& reason) const { throw FileError(path_, reason); }
@@ -72,12 +79,13 @@ class Chunks {
 
 }  // namespace
 
-void checkPng(const std::string& path) {
+std::vector<PngChunk> pngChunks(const std::string& path) {
     Chunks chunks(path);
-    if (!chunks.isPng()) return;
-    if (chunks.next() != "IHDR") chunks.fail("damaged: it does not begin with its header");
-    while (chunks.next() != "IEND") {
-    }
+    if (!chunks.isPng()) return {};
+    std::vector<PngChunk> list = {chunks.next()};
+    if (list[0].type != kHeader) chunks.fail("damaged: it does not begin with its header");
+    while (list.back().type != kEnd) list.push_back(chunks.next());
+    return list;
 }
 
 }  // namespace specbake

@@ -1,0 +1,43 @@
+#include "exr_input.h"
+
+#include <specbake/core/error.h>
+#include <specbake/image/image_types.h>
+
+#include <array>
+#include <fstream>
+
+namespace specbake {
+namespace {
+
+void ignoreMessage(exr_const_context_t /*context*/, exr_result_t /*code*/, const char* /*text*/) {}
+
+/// The first four bytes (OpenEXR file layout): 20000630 in little-endian order.
+bool beginsAsExr(const std::string& path) {
+    constexpr std::array<char, 4> magic = {'\x76', '\x2f', '\x31', '\x01'};
+    std::array<char, 4> first{};
+    std::ifstream in(path, std::ios::binary);
+    in.read(first.data(), std::streamsize(first.size()));
+    return in && first == magic;
+}
+
+}  // namespace
+
+ExrInput::ExrInput(std::string path) : path_(std::move(path)) {
+    if (!beginsAsExr(path_)) return;
+    exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    options.error_handler_fn = ignoreMessage;
+    options.max_image_width = kLargestSide;
+    options.max_image_height = kLargestSide;
+    exr_context_t context = nullptr;
+    if (exr_start_read(&context, path_.c_str(), &options) == EXR_ERR_SUCCESS) {
+        context_.reset(context);
+    }
+}
+
+void ExrInput::check(exr_result_t result) const {
+    if (result != EXR_ERR_SUCCESS) {
+        throw FileError(path_, exr_get_default_error_message(result));
+    }
+}
+
+}  // namespace specbake

@@ -1,0 +1,24 @@
+#include "image_file.h"
+
+#include "openimageio_parts.h"
+#include "plain_exr.h"
+#include "plain_png.h"
+
+#include <specbake/core/error.h>
+
+namespace specbake {
+
+std::unique_ptr<ImageFile> openImageFile(const std::string& path, int threads) {
+    if (auto png = openPlainPng(path)) return png;
+    if (auto exr = openPlainExr(path)) return exr;
+    return openImageIOParts(path).openImage(path, threads);
+}
+
+void checkSides(const std::string& path, long long width, long long height) {
+    if (width < 1 || height < 1) throw FileError(path, "it has no pixels");
+    if (width > kLargestSide || height > kLargestSide) {
+        throw FileError(path, "a side of more than " + std::to_string(kLargestSide) + " pixels");
+    }
+}
+
+}  // namespace specbake

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <specbake/image/image_types.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace specbake {
+
+/// The first subimage and mip level of a file, in the types of no library that reads files.
+struct ImageDescription {
+    Window data;     ///< where there are pixels
+    Window display;  ///< what is meant to be seen
+    float pixelAspectRatio = 1;
+    std::vector<std::string> channels;          ///< names, in the order of a pixel's samples
+    std::optional<int> alpha;                   ///< the index of the alpha channel
+    bool associatedAlpha = false;               ///< colour is multiplied by alpha
+    SampleType sampleType = SampleType::uint8;  ///< as stored, or the next larger that is offered
+    std::optional<std::array<float, 8>> chromaticities;  ///< x, y of red, green, blue, white
+    Attributes attributes;                               ///< metadata worth keeping
+    std::vector<std::string> notes;  ///< one line each on what of the file is not used
+};
+
+/// An open image whose rows can be read. Every implementation gives the same for the same file.
+class ImageFile {
+  public:
+    explicit ImageFile(ImageDescription description) : description_(std::move(description)) {}
+    virtual ~ImageFile() = default;
+    ImageFile(const ImageFile&) = delete;
+    ImageFile& operator=(const ImageFile&) = delete;
+
+    const ImageDescription& description() const { return description_; }
+
+    /// A string attribute under the name by which OpenImageIO knows it, or nothing.
+    virtual std::optional<std::string> text(const std::string& attribute) const = 0;
+
+    /// Rows [first, first + count) of the data window, counted from 0, channels interleaved, as
+    /// samples of the given type: the file's own, or float32. Throws FileError; ArgumentError for
+    /// a buffer too small.
+    virtual void readRows(int first, int count, SampleType type, std::span<std::byte> samples) = 0;
+
+  private:
+    ImageDescription description_;
+};
+
+/// Opens a file with the lightest reader that knows all that is in it; OpenImageIO is the last.
+/// Throws FileError if it cannot be opened or is no image of bounded size. `threads` unpack the
+/// rows of an EXR that OpenImageIO reads; they are those of the process: the last file decides.
+std::unique_ptr<ImageFile> openImageFile(const std::string& path, int threads);
+
+/// Throws FileError for sides of no or of more than kLargestSide pixels.
+void checkSides(const std::string& path, long long width, long long height);
+
+}  // namespace specbake

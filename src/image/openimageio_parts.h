@@ -1,0 +1,24 @@
+#pragma once
+
+#include "image_file.h"
+
+namespace specbake {
+
+/// All that uses OpenImageIO. That library brings hundreds of others with it, a quarter of a
+/// second of loading, so a program may put it off until a file needs it.
+struct OpenImageIOParts {
+    /// openWithOpenImageIO().
+    std::unique_ptr<ImageFile> (*openImage)(const std::string& path, int threads);
+};
+
+/// Who links specbake::image gets linked_openimageio.cpp, and OpenImageIO with the program. A
+/// program that links deferred_openimageio.cpp besides loads the module specbake_openimageio on
+/// the first call, and does not link OpenImageIO. Throws FileError, on the file that needs it, if
+/// the module cannot be loaded.
+const OpenImageIOParts& openImageIOParts(const std::string& path);
+
+}  // namespace specbake
+
+/// The same from the module. Module and program are built together, so that C++ types and
+/// exceptions may pass between them.
+extern "C" const specbake::OpenImageIOParts* specbakeOpenImageIOParts();

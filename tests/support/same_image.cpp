@@ -1,0 +1,41 @@
+#include "support/same_image.h"
+
+#include "openimageio_file.h"
+
+#include <doctest/doctest.h>
+
+namespace specbake::testing {
+
+std::vector<std::byte> rowsOf(ImageFile& file, int first, int count) {
+    const ImageDescription& d = file.description();
+    std::vector<std::byte> rows(std::size_t(count) * std::size_t(d.data.width) * d.channels.size() *
+                                bytesPerSample(d.sampleType));
+    file.readRows(first, count, d.sampleType, rows);
+    return rows;
+}
+
+std::vector<std::byte> allOf(ImageFile& file) {
+    return rowsOf(file, 0, file.description().data.height);
+}
+
+void checkSameAsOpenImageIO(ImageFile& file, const std::string& path) {
+    const auto oracle = openWithOpenImageIO(path, 1);
+    const ImageDescription& ours = file.description();
+    const ImageDescription& theirs = oracle->description();
+    CHECK(ours.data == theirs.data);
+    CHECK(ours.display == theirs.display);
+    CHECK(ours.pixelAspectRatio == theirs.pixelAspectRatio);
+    CHECK(ours.channels == theirs.channels);
+    CHECK(ours.alpha == theirs.alpha);
+    CHECK(ours.associatedAlpha == theirs.associatedAlpha);
+    CHECK(ours.sampleType == theirs.sampleType);
+    CHECK(ours.chromaticities == theirs.chromaticities);
+    CHECK(ours.attributes == theirs.attributes);
+    CHECK(ours.notes == theirs.notes);
+    CHECK(allOf(file) == allOf(*oracle));
+    for (const char* name : {"DateTime", "Software", "specbake:illuminant", "compression"}) {
+        if (file.text(name)) CHECK(file.text(name) == oracle->text(name));
+    }
+}
+
+}  // namespace specbake::testing
