@@ -6,7 +6,7 @@ set(programs specbake)
 # What a static library links, even PRIVATE, its user's program links too: CMake packages, and
 # modules of pkg-config as pkg_check_modules(NAME REQUIRED IMPORTED_TARGET NAME) finds them.
 set(packages hwy Imath OpenEXR OpenImageIO TBB)
-set(modules libdeflate)
+set(modules libisal libdeflate)
 set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/specbake)
 
 foreach(library IN LISTS libraries)

@@ -1,10 +1,12 @@
 #include "openimageio_file.h"
 #include "openimageio_parts.h"
+#include "openimageio_preview.h"
 
 namespace specbake {
 
 const OpenImageIOParts& openImageIOParts(const std::string& /*path*/) {
-    static constexpr OpenImageIOParts parts = {openWithOpenImageIO};
+    static constexpr OpenImageIOParts parts = {openWithOpenImageIO, storageFactsOf,
+                                               createWithOpenImageIO};
     return parts;
 }
 

@@ -100,4 +100,21 @@ std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path, int thre
     return std::make_unique<OpenImageIOFile>(std::make_unique<RowSource>(path, threads));
 }
 
+StorageFacts storageFactsOf(const std::string& path) {
+    RowSource source(path, 1);
+    const OIIO::ImageSpec& spec = source.spec();
+    StorageFacts facts;
+    facts.channels = spec.nchannels;
+    facts.sampleType = spec.format.c_str();
+    facts.compression = spec.get_string_attribute("compression", "none");
+    facts.tileWidth = spec.tile_width;
+    facts.tileHeight = spec.tile_height;
+    for (const auto& value : spec.extra_attribs) {
+        const std::string name = value.name().string();
+        if (name.starts_with("oiio:") || name == "compression") continue;
+        facts.attributes.emplace_back(name, value.get_string());
+    }
+    return facts;
+}
+
 }  // namespace specbake

@@ -1,6 +1,11 @@
 #pragma once
 
 #include "image_file.h"
+#include "preview_file.h"
+
+#include <specbake/image/spectral_reader.h>
+
+#include <filesystem>
 
 namespace specbake {
 
@@ -9,6 +14,11 @@ namespace specbake {
 struct OpenImageIOParts {
     /// openWithOpenImageIO().
     std::unique_ptr<ImageFile> (*openImage)(const std::string& path, int threads);
+    /// storageFactsOf().
+    StorageFacts (*storageFacts)(const std::string& path);
+    /// createWithOpenImageIO().
+    std::unique_ptr<PreviewFile> (*createPreview)(const std::filesystem::path& path,
+                                                  const SpectralHeader& like);
 };
 
 /// Who links specbake::image gets linked_openimageio.cpp, and OpenImageIO with the program. A

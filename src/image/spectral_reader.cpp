@@ -1,4 +1,5 @@
 #include "image_file.h"
+#include "openimageio_parts.h"
 
 #include <specbake/core/error.h>
 #include <specbake/image/spectral_reader.h>
@@ -36,8 +37,9 @@ std::array<int, kBandCount> bandChannels(const std::string& path,
 }  // namespace
 
 struct SpectralReader::Implementation {
-    Implementation(const std::string& path, int threads)
-        : file(openImageFile(path, threads)),
+    Implementation(const std::string& name, int threads)
+        : path(name),
+          file(openImageFile(path, threads)),
           channels(bandChannels(path, file->description().channels)) {
         const ImageDescription& d = file->description();
         header.data = d.data;
@@ -46,6 +48,7 @@ struct SpectralReader::Implementation {
         header.alpha = d.alpha.has_value();
     }
 
+    std::string path;
     std::unique_ptr<ImageFile> file;
     std::array<int, kBandCount> channels;
     SpectralHeader header;
@@ -61,19 +64,8 @@ const SpectralHeader& SpectralReader::header() const {
 }
 
 StorageFacts SpectralReader::facts() const {
-    const OIIO::ImageSpec& spec = implementation_->source.spec();
-    StorageFacts facts;
-    facts.channels = spec.nchannels;
-    facts.sampleType = spec.format.c_str();
-    facts.compression = spec.get_string_attribute("compression", "none");
-    facts.tileWidth = spec.tile_width;
-    facts.tileHeight = spec.tile_height;
-    for (const auto& value : spec.extra_attribs) {
-        const std::string name = value.name().string();
-        if (name.starts_with("oiio:") || name == "compression") continue;
-        facts.attributes.emplace_back(name, value.get_string());
-    }
-    return facts;
+    const std::string& path = implementation_->path;
+    return openImageIOParts(path).storageFacts(path);
 }
 
 std::optional<std::string> SpectralReader::text(const std::string& attribute) const {

@@ -8,6 +8,8 @@
 
 namespace specbake {
 
+class PreviewFile;
+
 /// Writes a picture to be looked at, by rows, in the format of its name's extension: linear floats
 /// where the format has them (EXR, HDR), else 8-bit sRGB. The file appears at commit(), whole;
 /// without it nothing stays behind.
@@ -28,8 +30,7 @@ class PreviewWriter {
     void commit();
 
   private:
-    struct Implementation;
-    std::unique_ptr<Implementation> implementation_;
+    std::unique_ptr<PreviewFile> file_;
 };
 
 }  // namespace specbake

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+
+namespace specbake {
+
+/// What stands behind a PreviewWriter: see there for what the functions do.
+class PreviewFile {
+  public:
+    PreviewFile() = default;
+    virtual ~PreviewFile() = default;
+    PreviewFile(const PreviewFile&) = delete;
+    PreviewFile& operator=(const PreviewFile&) = delete;
+
+    virtual void writeRow(std::span<const float> rgba) = 0;
+    virtual void commit() = 0;
+};
+
+}  // namespace specbake
