@@ -78,37 +78,40 @@ void Baking::readBand(Band& band) {
 }
 
 void Baking::processBand(Band& band) {
-    std::vector<std::byte> samples;
+    Buffers& buffers = buffers_.local();
+    std::vector<std::byte>& samples = buffers.samples;
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         const int chunk = band.firstChunk + int(i);
         samples.resize(writer_.chunkBytes(chunk));
         for (int row = 0; row < writer_.chunkRows(chunk); ++row) {
             const std::size_t bytes = samples.size() / std::size_t(writer_.chunkRows(chunk));
             const int imageRow = writer_.chunkFirstRow(chunk) + row;
-            blendRow(band, imageRow, std::span(samples).subspan(std::size_t(row) * bytes, bytes));
+            blendRow(band, imageRow, buffers,
+                     std::span(samples).subspan(std::size_t(row) * bytes, bytes));
         }
         if (band.census.complete()) band.packed[i] = writer_.pack(chunk, samples);
     }
     band.stored = {};
 }
 
-void Baking::blendRow(Band& band, int imageRow, std::span<std::byte> samples) {
+void Baking::blendRow(Band& band, int imageRow, Buffers& buffers, std::span<std::byte> samples) {
     const TextureInfo& info = job_.reader.info();
     const auto width = std::size_t(info.data.width);
-    std::vector<std::array<float, 3>> colors(width);
-    std::vector<float> alpha(info.alpha ? width : 0);
+    buffers.colors.resize(width);
+    buffers.alpha.resize(info.alpha ? width : 0);
+    buffers.mixes.resize(width);
     const std::size_t offset = info.bytesPerRow() * std::size_t(imageRow - band.firstRow);
     job_.decoder.decode(std::span(band.stored).subspan(offset, info.bytesPerRow()), width,
-                        colors.data(), alpha.data());
-    std::vector<Mix> mixes(width);
+                        buffers.colors.data(), buffers.alpha.data());
     SpectrumLookup::Scratch scratch;
-    lookup_.locate(colors, std::size_t(imageRow) * width, mixes, scratch, band.census);
+    lookup_.locate(buffers.colors, std::size_t(imageRow) * width, buffers.mixes, scratch,
+                   band.census);
     const std::size_t plane = width * bytesPerSample(storage_.sampleType);
     const bool half = storage_.sampleType == SampleType::half;
     const BlendType type = half ? BlendType::half : BlendType::float32;
-    if (info.alpha) storeSamples(alpha, type, samples.data());
+    if (info.alpha) storeSamples(buffers.alpha, type, samples.data());
     const auto colorPlanes = samples.subspan(info.alpha ? plane : 0);
-    blend(mixes, type, colorPlanes.data(), plane);
+    blend(buffers.mixes, type, colorPlanes.data(), plane);
     if (half) roundMantissa(colorPlanes, bits_);
 }
 

@@ -5,6 +5,9 @@
 
 #include <specbake/image/spectral_writer.h>
 
+#include <tbb/enumerable_thread_specific.h>
+
+#include <array>
 #include <span>
 #include <vector>
 
@@ -25,7 +28,14 @@ class Baking {
     std::vector<Band> bandsOf() const;
     void readBand(Band& band);
     void processBand(Band& band);
-    void blendRow(Band& band, int imageRow, std::span<std::byte> samples);
+    /// What a thread keeps from band to band.
+    struct Buffers {
+        std::vector<std::byte> samples;  ///< of a chunk
+        std::vector<std::array<float, 3>> colors;
+        std::vector<float> alpha;
+        std::vector<Mix> mixes;
+    };
+    void blendRow(Band& band, int imageRow, Buffers& buffers, std::span<std::byte> samples);
     void writeBand(Band& band);
 
     Job& job_;
@@ -34,6 +44,7 @@ class Baking {
     StorageOptions storage_;
     int bits_;
     TexelCensus census_;
+    tbb::enumerable_thread_specific<Buffers> buffers_;
 };
 
 }  // namespace specbake
