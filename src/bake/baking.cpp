@@ -66,7 +66,8 @@ std::vector<Band> Baking::bandsOf() const {
         band.firstRow = writer_.chunkFirstRow(chunk);
         const int last = std::min(chunk + chunks, writer_.chunkCount()) - 1;
         band.rows = writer_.chunkFirstRow(last) + writer_.chunkRows(last) - band.firstRow;
-        band.packed.resize(std::size_t(last - chunk + 1));
+        const int packed = last - chunk + 1;
+        band.packed.resize(std::size_t(packed));
         bands.push_back(std::move(band));
     }
     return bands;
