@@ -1,6 +1,7 @@
 #include "png_check.h"
 
 #include <specbake/core/error.h>
+#include <specbake/image/image_types.h>
 
 #include <libdeflate.h>
 
@@ -47,6 +48,9 @@ class Chunks {
         return type;
     }
 
+    /// The number at an offset of the data of the chunk that was read, a short one.
+    std::uint32_t field(std::size_t offset) const { return bigEndian(buffer_.data() + offset); }
+
     [[noreturn]] void fail(const std::string& reason) const { throw FileError(path_, reason); }
 
   private:
@@ -60,8 +64,12 @@ class Chunks {
     std::uint32_t number() {
         std::array<char, 4> bytes{};
         read(bytes.data(), bytes.size());
+        return bigEndian(bytes.data());
+    }
+
+    static std::uint32_t bigEndian(const char* bytes) {
         std::uint32_t value = 0;
-        for (const char byte : bytes) value = value << 8 | static_cast<unsigned char>(byte);
+        for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
         return value;
     }
 
@@ -76,6 +84,12 @@ void checkPng(const std::string& path) {
     Chunks chunks(path);
     if (!chunks.isPng()) return;
     if (chunks.next() != "IHDR") chunks.fail("damaged: it does not begin with its header");
+    for (const std::uint32_t side : {chunks.field(0), chunks.field(4)}) {
+        if (side == 0) chunks.fail("it has no pixels");
+        if (side > std::uint32_t(kLargestSide)) {
+            chunks.fail("a side of more than " + std::to_string(kLargestSide) + " pixels");
+        }
+    }
     while (chunks.next() != "IEND") {
     }
 }

@@ -25,7 +25,7 @@ class RowSource {
 
     const OIIO::ImageSpec& spec() const { return input_->spec(); }
     OIIO::ImageInput& input() { return *input_; }
-    void setSampleType(OIIO::TypeDesc type) { type_ = type; }
+    void setSampleType(const OIIO::TypeDesc& type) { type_ = type; }
 
     /// Rows [first, first + count), counted from 0. Throws FileError.
     void read(int first, int count, std::span<std::byte> samples);
