@@ -1,5 +1,6 @@
 #include "piz_packer.h"
 
+#include <cstdint>
 #include <cstring>
 #include <utility>
 
@@ -50,8 +51,8 @@ class Encoder {
         for (int c = 0; c < encoder_.channel_count; ++c) {
             auto& channel = encoder_.channels[c];
             channel.encode_from_ptr = reinterpret_cast<const std::uint8_t*>(samples.data());
-            channel.user_pixel_stride = channel.bytes_per_element;
-            channel.user_line_stride = channel.width * channel.bytes_per_element;
+            channel.user_pixel_stride = std::uint8_t(channel.bytes_per_element);
+            channel.user_line_stride = channel.width * channel.user_pixel_stride;
         }
         context_.check(exr_encoding_choose_default_routines(context_.get(), 0, &encoder_));
         encoder_.convert_and_pack_fn = takeSamples;
