@@ -9,7 +9,7 @@
 namespace specbake {
 namespace {
 
-__extension__ typedef __int128 Exact;
+__extension__ typedef __int128 Exact;  // NOLINT(modernize-use-using): not with __extension__
 using ExactVector = std::array<Exact, 3>;
 
 ExactVector tableVector(int band) {
@@ -86,8 +86,8 @@ Generators makeGenerators() {
         for (int k = m + 1; k < count; ++k) {
             if (result.isRed[std::size_t(m)] && result.isRed[std::size_t(k)]) continue;
             const int index = int(result.sides.size());
-            result.sideOfPair[std::size_t(m * count + k)] = index;
-            result.sideOfPair[std::size_t(k * count + m)] = index;
+            result.sideOfPair[result.pairIndex(m, k)] = index;
+            result.sideOfPair[result.pairIndex(k, m)] = index;
             result.sides.push_back(sidePair(vectors, m, k));
         }
     }

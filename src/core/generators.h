@@ -30,13 +30,17 @@ struct Generators {
     std::vector<int> red;         ///< the generators with Z = 0, by ascending angle in the XY plane
     std::vector<bool> isRed;      ///< by generator
     std::vector<SidePair> sides;  ///< every pair that is not red and red: they span the bases
-    std::vector<int> sideOfPair;  ///< index into `sides` at [first * count() + second], else -1
+    std::vector<int> sideOfPair;  ///< index into `sides` at pairIndex(), else -1
 
     int count() const { return int(bands.size()); }
 
+    std::size_t pairIndex(int first, int second) const {
+        return std::size_t(first) * bands.size() + std::size_t(second);
+    }
+
     /// The unit normal of the plane of two generators, up to its sign.
     Imath::V3d normal(int first, int second) const {
-        const int side = sideOfPair[std::size_t(first * count() + second)];
+        const int side = sideOfPair[pairIndex(first, second)];
         return side < 0 ? Imath::V3d(0, 0, 1) : sides[std::size_t(side)].normal;
     }
 };

@@ -47,8 +47,8 @@ std::optional<std::array<float, 8>> chromaticitiesOf(const OIIO::ImageSpec& spec
 /// What of the file is left aside, a line each.
 std::vector<std::string> notesOn(OIIO::ImageInput& input) {
     std::vector<std::string> notes;
-    if (input.seek_subimage(1, 0)) notes.push_back("only the first of its subimages is used");
-    if (input.seek_subimage(0, 1)) notes.push_back("only the first of its mip levels is used");
+    if (input.seek_subimage(1, 0)) notes.emplace_back("only the first of its subimages is used");
+    if (input.seek_subimage(0, 1)) notes.emplace_back("only the first of its mip levels is used");
     input.geterror();
     input.seek_subimage(0, 0);
     const int orientation = input.spec().get_int_attribute("Orientation", 1);

@@ -54,36 +54,39 @@ std::uint8_t byteOf(double share) {
 class OpenImageIOPreview : public PreviewFile {
   public:
     OpenImageIOPreview(const std::filesystem::path& path, const SpectralHeader& like)
-        : output(formatOf(path)), spec(specOf(*output, like)), file(path) {
-        if (!output->open(file.temporaryPath().string(), spec)) fail();
+        : output_(formatOf(path)), spec_(specOf(*output_, like)), file_(path) {
+        if (!output_->open(file_.temporaryPath().string(), spec_)) fail();
     }
 
     void writeRow(std::span<const float> rgba) override {
-        if (rgba.size() != std::size_t(spec.width) * kGiven) {
+        if (rgba.size() != std::size_t(spec_.width) * kGiven) {
             throw ArgumentError("a row of another width");
         }
-        const int y = spec.y + rowsWritten++;
+        const int y = spec_.y + rowsWritten_++;
         const bool written =
-            hasFloats(*output) ? output->write_scanline(y, 0, OIIO::TypeFloat, floats(rgba).data())
-                               : output->write_scanline(y, 0, OIIO::TypeUInt8, bytes(rgba).data());
+            hasFloats(*output_)
+                ? output_->write_scanline(y, 0, OIIO::TypeFloat, floats(rgba).data())
+                : output_->write_scanline(y, 0, OIIO::TypeUInt8, bytes(rgba).data());
         if (!written) fail();
     }
 
     void commit() override {
-        if (!output->close()) fail();
-        file.commit();
+        if (!output_->close()) fail();
+        file_.commit();
     }
 
   private:
-    [[noreturn]] void fail() { throw FileError(file.path().string(), oneLine(output->geterror())); }
+    [[noreturn]] void fail() {
+        throw FileError(file_.path().string(), oneLine(output_->geterror()));
+    }
 
     /// Linear, multiplied by alpha, as EXR wants it.
     std::vector<float> floats(std::span<const float> rgba) const {
         std::vector<float> row;
         for (std::size_t t = 0; t < rgba.size(); t += kGiven) {
-            const float alpha = spec.nchannels == kGiven ? rgba[t + 3] : 1.0F;
+            const float alpha = spec_.nchannels == kGiven ? rgba[t + 3] : 1.0F;
             for (std::size_t c = 0; c < 3; ++c) row.push_back(rgba[t + c] * alpha);
-            if (spec.nchannels == kGiven) row.push_back(alpha);
+            if (spec_.nchannels == kGiven) row.push_back(alpha);
         }
         return row;
     }
@@ -94,15 +97,15 @@ class OpenImageIOPreview : public PreviewFile {
             for (std::size_t c = 0; c < 3; ++c) {
                 row.push_back(byteOf(sRGBFromLinear(double(rgba[t + c]))));
             }
-            if (spec.nchannels == kGiven) row.push_back(byteOf(double(rgba[t + 3])));
+            if (spec_.nchannels == kGiven) row.push_back(byteOf(double(rgba[t + 3])));
         }
         return row;
     }
 
-    std::unique_ptr<OIIO::ImageOutput> output;
-    OIIO::ImageSpec spec;
-    OutputFile file;
-    int rowsWritten = 0;
+    std::unique_ptr<OIIO::ImageOutput> output_;
+    OIIO::ImageSpec spec_;
+    OutputFile file_;
+    int rowsWritten_ = 0;
 };
 
 }  // namespace

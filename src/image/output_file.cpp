@@ -15,7 +15,7 @@ namespace {
 
 fs::path target(const fs::path& path) {
     std::error_code ignored;
-    const fs::path resolved = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path) : path;
+    fs::path resolved = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path) : path;
     const auto status = fs::status(resolved, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         throw FileError(path.string(), "not a regular file");

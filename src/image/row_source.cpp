@@ -46,7 +46,8 @@ void RowSource::fail() {
     throw FileError(path_, oneLine(input_->geterror()));
 }
 
-void RowSource::read(int first, int count, OIIO::TypeDesc type, std::span<std::byte> samples) {
+void RowSource::read(int first, int count, const OIIO::TypeDesc& type,
+                     std::span<std::byte> samples) {
     const std::size_t rowBytes =
         std::size_t(spec().width) * std::size_t(spec().nchannels) * type.size();
     if (samples.size() < rowBytes * std::size_t(count)) {
@@ -69,7 +70,7 @@ void RowSource::read(int first, int count, OIIO::TypeDesc type, std::span<std::b
     }
 }
 
-void RowSource::readTileRow(int tileRow, OIIO::TypeDesc type) {
+void RowSource::readTileRow(int tileRow, const OIIO::TypeDesc& type) {
     if (tileRow == tileRow_ && type == tileType_) return;
     const auto& s = spec();
     const int first = s.y + tileRow * s.tile_height;

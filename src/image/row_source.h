@@ -26,10 +26,10 @@ class RowSource {
     OIIO::ImageInput& input() { return *input_; }
 
     /// Rows [first, first + count), counted from 0, as samples of that type. Throws FileError.
-    void read(int first, int count, OIIO::TypeDesc type, std::span<std::byte> samples);
+    void read(int first, int count, const OIIO::TypeDesc& type, std::span<std::byte> samples);
 
   private:
-    void readTileRow(int tileRow, OIIO::TypeDesc type);
+    void readTileRow(int tileRow, const OIIO::TypeDesc& type);
     [[noreturn]] void fail();
 
     std::string path_;

@@ -4,11 +4,10 @@
 
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
-
-extern char** environ;
 
 namespace specbake::bench {
 namespace {

@@ -65,7 +65,7 @@ ColorSet lattice(const Frame& frame, std::size_t count) {
 
 /// Where the ray towards a random point of the box about the solid leaves it.
 XYZ boundaryColor(const Solid& solid, Generator& random) {
-    const XYZ white = solid.white();
+    const XYZ& white = solid.white();
     const RGB share = uniformRGB(random, 0, 1);
     const XYZ inBox(share.x * white.x, share.y * white.y, share.z * white.z);
     return XYZ(solid.center() + (inBox - solid.center()) / solid.gauge(inBox));
@@ -76,7 +76,7 @@ ColorSet uniformInSolid(const Solid& solid, std::size_t count) {
     ColorSet set{"solid", {}};
     while (set.colors.size() < count) {
         const RGB share = uniformRGB(random, 0, 1);
-        const XYZ white = solid.white();
+        const XYZ& white = solid.white();
         const XYZ color(share.x * white.x, share.y * white.y, share.z * white.z);
         if (solid.gauge(color) <= 1) set.colors.push_back(color);
     }

@@ -36,7 +36,7 @@ int largestComponent(const Imath::V3f& c) {
 }
 
 SPECBENCH_CLONES
-void evaluate(const Imath::V3f c, float* out) {
+void evaluate(const Imath::V3f& c, float* out) {
     constexpr float step = 1.0F / (kBandCount - 1);
     for (int m = 0; m < kBandCount; ++m) {
         const float u = float(m) * step;
