@@ -9,7 +9,7 @@
 namespace specbake {
 namespace {
 
-__extension__ typedef __int128 Exact;  // NOLINT(modernize-use-using): not with __extension__
+__extension__ using Exact = __int128;
 using ExactVector = std::array<Exact, 3>;
 
 ExactVector tableVector(int band) {
