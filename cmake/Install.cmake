@@ -5,8 +5,8 @@ set(libraries core image bake)  # src/*, in the order in which data flows
 set(programs specbake)
 # What a static library links, even PRIVATE, its user's program links too: CMake packages, and
 # modules of pkg-config as pkg_check_modules(NAME REQUIRED IMPORTED_TARGET NAME) finds them.
-set(packages hwy Imath OpenEXR OpenImageIO TBB)
-set(modules libisal libdeflate)
+set(packages hwy Imath JPEG OpenEXR OpenImageIO PNG TBB)
+set(modules libdeflate)
 set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/specbake)
 
 foreach(library IN LISTS libraries)

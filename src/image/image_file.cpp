@@ -2,6 +2,7 @@
 
 #include "openimageio_parts.h"
 #include "plain_exr.h"
+#include "plain_jpeg.h"
 #include "plain_png.h"
 
 #include <specbake/core/error.h>
@@ -10,6 +11,7 @@ namespace specbake {
 
 std::unique_ptr<ImageFile> openImageFile(const std::string& path, int threads) {
     if (auto png = openPlainPng(path)) return png;
+    if (auto jpeg = openPlainJpeg(path)) return jpeg;
     if (auto exr = openPlainExr(path)) return exr;
     return openImageIOParts(path).openImage(path, threads);
 }

@@ -1,35 +1,9 @@
 #include "metadata.h"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
+#include "kept_metadata.h"
 
 namespace specbake {
 namespace {
-
-/// Prefixes and names of what belongs to the old file alone.
-bool isStorage(std::string_view name) {
-    constexpr std::array<std::string_view, 12> prefixes = {
-        "oiio:",     "openexr:",      "tiff:",     "jpeg:",        "png:",  "ICCProfile",
-        "specbake:", "textureformat", "wrapmodes", "averagecolor", "SHA-1", "thumbnail"};
-    constexpr std::array<std::string_view, 14> names = {"compression",
-                                                        "chromaticities",
-                                                        "PixelAspectRatio",
-                                                        "screenWindowCenter",
-                                                        "screenWindowWidth",
-                                                        "Orientation",
-                                                        "planarconfig",
-                                                        "Software",
-                                                        "channels",
-                                                        "spectralLayoutVersion",
-                                                        "type",
-                                                        "version",
-                                                        "chunkCount",
-                                                        "name"};
-    return std::any_of(prefixes.begin(), prefixes.end(),
-                       [&](auto prefix) { return name.starts_with(prefix); }) ||
-           std::find(names.begin(), names.end(), name) != names.end();
-}
 
 bool isVector(const OIIO::TypeDesc& type) {
     const std::size_t count = type.basevalues();
@@ -43,8 +17,7 @@ Attributes metadataOf(const OIIO::ImageSpec& spec) {
     Attributes kept;
     for (const auto& value : spec.extra_attribs) {
         const std::string name = value.name().string();
-        constexpr std::size_t longestName = 255;  // OpenEXR's
-        if (isStorage(name) || name.size() > longestName) continue;
+        if (!isKeptMetadata(name)) continue;
         const OIIO::TypeDesc type = value.type();
         if (type == OIIO::TypeString) {
             kept[name] = value.get_string();

@@ -4,10 +4,9 @@
 
 namespace specbake {
 
-/// Opens a PNG that is nothing but pixels: 8 or 16 bits, no palette, not interlaced, no chunks
-/// beside those that mean sRGB, no offset, or a time. Null for any other file, which is
-/// OpenImageIO's to read or refuse. Throws FileError for a PNG that is not whole, plain or not, or
-/// whose size is out of bounds.
+/// Opens a PNG by libpng alone, which loads in no time. Null for what is no PNG, and for a PNG that
+/// is interlaced or has Exif or XMP metadata: these are OpenImageIO's. Throws FileError for a PNG
+/// that is damaged or whose size is out of bounds.
 std::unique_ptr<ImageFile> openPlainPng(const std::string& path);
 
 }  // namespace specbake

@@ -5,6 +5,21 @@
 #include <doctest/doctest.h>
 
 namespace specbake::testing {
+namespace {
+
+std::string listed(const Attributes& attributes) {
+    std::string list;
+    for (const auto& [name, value] : attributes) {
+        list += name + " = ";
+        if (const auto* text = std::get_if<std::string>(&value)) list += *text;
+        if (const auto* number = std::get_if<int>(&value)) list += std::to_string(*number);
+        if (const auto* number = std::get_if<float>(&value)) list += std::to_string(*number);
+        list += "; ";
+    }
+    return list;
+}
+
+}  // namespace
 
 std::vector<std::byte> rowsOf(ImageFile& file, int first, int count) {
     const ImageDescription& d = file.description();
@@ -30,6 +45,7 @@ void checkSameAsOpenImageIO(ImageFile& file, const std::string& path) {
     CHECK(ours.associatedAlpha == theirs.associatedAlpha);
     CHECK(ours.sampleType == theirs.sampleType);
     CHECK(ours.chromaticities == theirs.chromaticities);
+    INFO(listed(ours.attributes), " and ", listed(theirs.attributes));
     CHECK(ours.attributes == theirs.attributes);
     CHECK(ours.notes == theirs.notes);
     CHECK(allOf(file) == allOf(*oracle));
