@@ -1,8 +1,15 @@
+// Compiled once for each instruction set by foreach_target.h; rowDeflate() chooses at run time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "row_deflate.cpp"
 #include "row_deflate.h"
 
 #include "bit_writer.h"
+#include "code_lengths.h"
+#include "deflate_symbols.h"
 #include "huffman.h"
 
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 #include <libdeflate.h>
 
 #include <algorithm>
@@ -11,42 +18,15 @@
 #include <cstring>
 #include <vector>
 
-namespace specbake {
+HWY_BEFORE_NAMESPACE();
+namespace specbake::HWY_NAMESPACE {
 namespace {
 
-constexpr std::size_t kBlock = 65536;  ///< bytes that share a Huffman code
-constexpr std::size_t kShortest = 5;   ///< shorter matches cost about what they spare
-constexpr std::size_t kLongest = 258;
-constexpr std::size_t kEndOfBlock = 256;
-constexpr std::size_t kLiteralCodes = 286;
-constexpr std::size_t kDistanceCodes = 30;
-constexpr std::uint32_t kLongestWord =
-    14;  ///< bits; deflate allows 15, but then only 3 fit at once
-
-/// A length or distance as deflate writes it: a symbol, then extra bits (RFC 1951, 3.2.5).
-struct Symbol {
-    std::uint32_t symbol, extraBits, extra;
-};
-
-/// Both scales: beyond the first steps, 2^stepBits symbols to each power of two.
-Symbol onScale(std::uint32_t value, std::uint32_t stepBits) {
-    const auto bits = std::uint32_t(std::bit_width(value));
-    if (bits <= stepBits + 1) return {value, 0, 0};
-    const std::uint32_t extraBits = bits - stepBits - 1;
-    const std::uint32_t step = value >> extraBits;  // its highest bit is 2^stepBits
-    return {(extraBits << stepBits) + step, extraBits, value & ((1U << extraBits) - 1)};
-}
-
-Symbol lengthSymbol(std::size_t length) {
-    if (length == kLongest) return {285, 0, 0};
-    Symbol s = onScale(std::uint32_t(length) - 3, 2);
-    s.symbol += 257;
-    return s;
-}
-
-Symbol distanceSymbol(std::size_t distance) {
-    return onScale(std::uint32_t(distance) - 1, 1);
-}
+constexpr std::size_t kBlock = kDeflateBlock;
+constexpr std::size_t kShortest = 5;  ///< shorter matches cost about what they spare
+/// Bits of a word. Deflate allows 15, but then only 3 words fit between two flushes.
+constexpr std::uint32_t kLongestWord = 14;
+constexpr std::size_t kMostDistances = 8;  ///< a bit each of a byte
 
 /// Some literals, then a match (length 0 at the end of a block).
 struct Step {
@@ -132,7 +112,7 @@ class Matcher {
 
     Step longestAt(std::size_t i, std::size_t end, unsigned which) const {
         const std::uint8_t* const at = bytes_.data() + i;
-        const std::size_t most = std::min(end - i, kLongest);
+        const std::size_t most = std::min(end - i, kLongestMatch);
         Step best = {0, 0, 0};
         for (; which != 0; which &= which - 1) {
             const auto d = std::size_t(std::countr_zero(which));
@@ -148,66 +128,34 @@ class Matcher {
     std::array<std::uint8_t, kBlock + 8> starts_;  ///< none in the last 8
 };
 
-/// Code lengths of both codes, one after the other, in the symbols of RFC 1951, 3.2.7.
-class LengthsHeader {
-  public:
-    LengthsHeader(std::span<const CodeWord> literals, std::span<const CodeWord> distances)
-        : literals_(used(literals, 257)), distances_(used(distances, 1)) {
-        std::vector<std::uint32_t> lengths;
-        for (std::size_t i = 0; i < literals_; ++i) lengths.push_back(literals[i].length);
-        for (std::size_t i = 0; i < distances_; ++i) lengths.push_back(distances[i].length);
-        for (std::size_t i = 0; i < lengths.size();) i += addRun(lengths, i);
-    }
-
-    void write(BitWriter& out) const {
-        constexpr std::array<std::size_t, 19> order = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
-                                                       11, 4,  12, 3, 13, 2, 14, 1, 15};
-        // Two symbols at least, since decoders refuse a code that is not complete.
-        std::array<std::uint32_t, 19> counts{};
-        counts[0] = counts[18] = 1;
-        for (const Symbol& s : symbols_) ++counts[s.symbol];
-        const auto code = huffmanCode(counts, 7);
-        out.put(literals_ - 257, 5);
-        out.put(distances_ - 1, 5);
-        out.put(order.size() - 4, 4);
-        out.flush();
-        for (const std::size_t s : order) {
-            out.put(code[s].length, 3);
-            out.flush();
+/// How often what occurs in a block.
+struct Counts {
+    Counts(const std::uint8_t* bytes, std::span<const Step> steps) {
+        for (const Step& step : steps) {
+            std::size_t left = step.literals;
+            for (; left >= 4; left -= 4, bytes += 4) {
+                for (std::size_t i = 0; i < 4; ++i) ++ofFour[i][bytes[i]];
+            }
+            for (; left > 0; --left) ++ofFour[0][*bytes++];
+            ++lengths[step.length];
+            ++distances[step.distance];
+            bytes += step.length;
         }
-        for (const Symbol& s : symbols_) {
-            out.put(code[s.symbol].bits, code[s.symbol].length);
-            out.put(s.extra, s.extraBits);
-            out.flush();
+        --distances[0];  // of the last step, which has no match
+    }
+
+    std::array<std::uint32_t, kLiteralCodes> literals() const {
+        std::array<std::uint32_t, kLiteralCodes> sum{};
+        for (std::size_t i = 0; i < 256; ++i) {
+            sum[i] = ofFour[0][i] + ofFour[1][i] + ofFour[2][i] + ofFour[3][i];
         }
+        return sum;
     }
 
-  private:
-    static std::size_t used(std::span<const CodeWord> code, std::size_t least) {
-        std::size_t count = code.size();
-        while (count > least && code[count - 1].length == 0) --count;
-        return count;
-    }
-
-    /// Adds a symbol for the lengths from `first` on; returns how many it stands for.
-    std::size_t addRun(const std::vector<std::uint32_t>& lengths, std::size_t first) {
-        std::size_t run = 1;
-        while (first + run < lengths.size() && lengths[first + run] == lengths[first]) ++run;
-        const bool zeros = lengths[first] == 0;
-        const bool repeats = first > 0 && lengths[first - 1] == lengths[first];
-        if (zeros && run >= 11) return add(18, 7, 11, std::min<std::size_t>(run, 138));
-        if (zeros && run >= 3) return add(17, 3, 3, run);
-        if (!zeros && repeats && run >= 3) return add(16, 2, 3, std::min<std::size_t>(run, 6));
-        return add(lengths[first], 0, 1, 1);
-    }
-    std::size_t add(std::uint32_t symbol, std::uint32_t extraBits, std::size_t least,
-                    std::size_t run) {
-        symbols_.push_back({symbol, extraBits, std::uint32_t(run - least)});
-        return run;
-    }
-
-    std::size_t literals_, distances_;
-    std::vector<Symbol> symbols_;
+    /// Four counts of each literal: adding to the one that was just added to would have to wait.
+    std::array<std::array<std::uint32_t, 256>, 4> ofFour{};
+    std::array<std::uint32_t, kLongestMatch + 1> lengths{};
+    std::array<std::uint32_t, kMostDistances> distances{};
 };
 
 /// The words of one block: literals and, extra bits included, lengths and distances.
@@ -215,19 +163,19 @@ class BlockCode {
   public:
     BlockCode(const std::uint8_t* bytes, std::span<const Step> steps,
               const std::vector<std::size_t>& distances) {
-        std::array<std::uint32_t, kLiteralCodes> literalCounts{};
+        const Counts counts(bytes, steps);
+        std::array<std::uint32_t, kLiteralCodes> literalCounts = counts.literals();
         std::array<std::uint32_t, kDistanceCodes> distanceCounts{};
-        for (const Step& step : steps) {
-            for (std::uint32_t i = 0; i < step.literals; ++i) ++literalCounts[*bytes++];
-            if (step.length == 0) continue;
-            ++literalCounts[lengthSymbol(step.length).symbol];
-            ++distanceCounts[distanceSymbol(distances[step.distance]).symbol];
-            bytes += step.length;
+        for (std::size_t i = kShortest; i <= kLongestMatch; ++i) {
+            literalCounts[lengthSymbol(i).symbol] += counts.lengths[i];
+        }
+        for (std::size_t d = 0; d < distances.size(); ++d) {
+            distanceCounts[distanceSymbol(distances[d]).symbol] += counts.distances[d];
         }
         ++literalCounts[kEndOfBlock];
         literals_ = huffmanCode(literalCounts, kLongestWord);
         distances_ = huffmanCode(distanceCounts, kLongestWord);
-        for (std::size_t i = kShortest; i <= kLongest; ++i) {
+        for (std::size_t i = kShortest; i <= kLongestMatch; ++i) {
             lengthWords_[i] = withExtra(literals_, lengthSymbol(i));
         }
         for (const std::size_t distance : distances) {
@@ -236,7 +184,7 @@ class BlockCode {
     }
 
     void write(const std::uint8_t* bytes, std::span<const Step> steps, BitWriter& file) const {
-        LengthsHeader(literals_, distances_).write(file);
+        writeCodeLengths(literals_, distances_, file);
         BitWriter out = file;  // in registers
         const CodeWord* const words = literals_.data();
         for (const Step& step : steps) {
@@ -266,12 +214,9 @@ class BlockCode {
     }
 
     std::vector<CodeWord> literals_, distances_;
-    std::array<CodeWord, kLongest + 1> lengthWords_;
+    std::array<CodeWord, kLongestMatch + 1> lengthWords_;
     std::vector<CodeWord> distanceWords_;
 };
-
-/// No block is longer: 14 bits a byte, its header, and what BitWriter::flush() may touch.
-constexpr std::size_t kBlockBound = 2 * kBlock + 512;
 
 void putChecksum(std::span<const std::uint8_t> bytes, std::uint8_t* to) {
     const std::uint32_t sum = libdeflate_adler32(1, bytes.data(), bytes.size());
@@ -286,14 +231,8 @@ std::vector<std::size_t> distancesOf(std::size_t rowLength, std::size_t rowsBack
     return distances;
 }
 
-}  // namespace
-
-std::size_t rowDeflateBound(std::size_t size) {
-    return size + kBlockBound;
-}
-
-std::size_t rowDeflate(std::span<const std::uint8_t> bytes, std::size_t rowLength,
-                       std::size_t rowsBack, std::span<std::uint8_t> packed) {
+std::size_t deflateRows(std::span<const std::uint8_t> bytes, std::size_t rowLength,
+                        std::size_t rowsBack, std::span<std::uint8_t> packed) {
     Matcher matcher(bytes, distancesOf(rowLength, rowsBack));
     std::vector<Step> steps;
     packed[0] = 0x78;  // deflate with a window of 32768 bytes
@@ -314,4 +253,20 @@ std::size_t rowDeflate(std::span<const std::uint8_t> bytes, std::size_t rowLengt
     return size <= bytes.size() ? size : 0;
 }
 
+}  // namespace
+}  // namespace specbake::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace specbake {
+namespace {
+HWY_EXPORT(deflateRows);
+}  // namespace
+
+std::size_t rowDeflate(std::span<const std::uint8_t> bytes, std::size_t rowLength,
+                       std::size_t rowsBack, std::span<std::uint8_t> packed) {
+    return HWY_DYNAMIC_DISPATCH(deflateRows)(bytes, rowLength, rowsBack, packed);
+}
+
 }  // namespace specbake
+#endif

@@ -21,6 +21,12 @@ inline constexpr std::size_t kDeflateWindow = 32768;
 std::size_t rowDeflate(std::span<const std::uint8_t> bytes, std::size_t rowLength,
                        std::size_t rowsBack, std::span<std::uint8_t> packed);
 
-std::size_t rowDeflateBound(std::size_t size);
+/// Bytes that share a Huffman code.
+inline constexpr std::size_t kDeflateBlock = 65536;
+
+/// A block that does not shrink is noticed when it is written: 14 bits a byte, and its header.
+constexpr std::size_t rowDeflateBound(std::size_t size) {
+    return size + 2 * kDeflateBlock + 512;
+}
 
 }  // namespace specbake
