@@ -1,7 +1,7 @@
 /// How fast linear colours become samples, one thread, beside two things that write as much: memset
 /// and the product with three fixed spectra (three multiply-adds a sample). Items are texels. Runs
-/// are interleaved and repeated, since what else runs on the machine changes them all; at the end
-/// stand the medians' ratios.
+/// are interleaved and repeated, since what else runs on the machine changes them all: speed.py
+/// takes the medians' ratios.
 #include "lookup.h"
 
 #include <specbake/core/blend.h>
@@ -10,7 +10,6 @@
 #include <benchmark/benchmark.h>
 
 #include <cstring>
-#include <map>
 #include <memory>
 #include <random>
 #include <string>
@@ -164,31 +163,6 @@ BENCHMARK_CAPTURE(texelPath, coherent_half, Colors::coherent, BlendType::half);
 BENCHMARK_CAPTURE(locateOnly, random, Colors::random);
 BENCHMARK_CAPTURE(locateOnly, coherent, Colors::coherent);
 
-/// Prints, after the table, each median beside that of the three primaries.
-class RatioReporter : public benchmark::ConsoleReporter {
-  public:
-    void ReportRuns(const std::vector<Run>& runs) override {
-        ConsoleReporter::ReportRuns(runs);
-        for (const Run& run : runs) {
-            const auto rate = run.counters.find("items_per_second");
-            if (run.aggregate_name == "median" && rate != run.counters.end()) {
-                rates_[run.run_name.str()] = rate->second;
-            }
-        }
-    }
-    void Finalize() override {
-        const auto reference = rates_.find("threePrimaries/float");
-        if (reference == rates_.end()) return;
-        GetOutputStream() << "\nspeed as a share of threePrimaries/float (median):\n";
-        for (const auto& [name, rate] : rates_) {
-            GetOutputStream() << "  " << name << "  " << rate / reference->second << '\n';
-        }
-    }
-
-  private:
-    std::map<std::string, double> rates_;
-};
-
 int run(int argc, char** argv) {
     std::vector<std::string> arguments = {argv[0], "--benchmark_enable_random_interleaving=true",
                                           "--benchmark_repetitions=9", "--benchmark_min_time=0.1",
@@ -199,8 +173,7 @@ int run(int argc, char** argv) {
     int count = int(pointers.size());
     benchmark::Initialize(&count, pointers.data());
     if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 2;
-    RatioReporter reporter;
-    benchmark::RunSpecifiedBenchmarks(&reporter);
+    benchmark::RunSpecifiedBenchmarks();
     return 0;
 }
 
