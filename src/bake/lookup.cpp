@@ -39,6 +39,28 @@ NodeValues blended(const Mix& mix) {
     return result;
 }
 
+NodeValues difference(const NodeValues& a, const NodeValues& b) {
+    NodeValues result;
+    for (std::size_t p = 0; p < kNodeValues; ++p) result.value[p] = a.value[p] - b.value[p];
+    return result;
+}
+
+/// The most of a step that keeps a spectrum within [0, 1].
+float room(const NodeValues& values, const NodeValues& step) {
+    float most = 1;
+    for (std::size_t p = kPreviewValues; p < kNodeValues; ++p) {
+        const float v = values.value[p];
+        const float d = step.value[p];
+        if (v + d > 1) most = std::min(most, (1 - v) / d);
+        if (v + d < 0) most = std::min(most, -v / d);
+    }
+    return most;
+}
+
+bool hasSpectrum(const SolvedTexel& texel) {
+    return texel.fate == Fate::solved || texel.fate == Fate::moved;
+}
+
 }  // namespace
 
 SpectrumLookup::Lattice::Lattice(int nodes, const Imath::M33d& xyzFromGrid,
@@ -124,9 +146,15 @@ SolvedTexel SpectrumLookup::solve(const Color& color) {
     return solved;
 }
 
-SolvedTexel SpectrumLookup::solveAnew(const Color& color) const {
+SolvedTexel SpectrumLookup::solveAnew(const Color& color) {
     const RGB rgb{double(color[0]), double(color[1]), double(color[2])};
-    const XYZ asked(rgb * spaces_.xyzFromTexel);
+    SolvedTexel solved = solveColor(XYZ(rgb * spaces_.xyzFromTexel));
+    const Color point = gridPoint(color);
+    if (lattice_ && hasSpectrum(solved) && !isInUnitCube(point)) addFaceStep(point, solved.values);
+    return solved;
+}
+
+SolvedTexel SpectrumLookup::solveColor(const XYZ& asked) const {
     const ColorResolver::Resolved resolved = resolver_.resolve(asked);
     if (!resolved.solution.solved()) {
         return {{}, resolved.outside ? Fate::refused : Fate::failed, 0};
@@ -136,6 +164,28 @@ SolvedTexel SpectrumLookup::solveAnew(const Color& color) const {
     const XYZ& white = resolver_.solid().white();
     return {values, Fate::moved,
             ciede2000(labFromXYZ(asked, white), labFromXYZ(resolved.given, white))};
+}
+
+/// Adds what the grid's spectrum has beyond the solved one at the nearest point of the cube: all of
+/// it at the cube's face, less and less farther out, and nowhere more than keeps within [0, 1].
+/// Both have the same colour, so that the sum keeps its own.
+void SpectrumLookup::addFaceStep(const Color& point, NodeValues& values) {
+    constexpr float fadedOut = 1.0F / 16;  // distance, linear RGB
+    Color onFace = point;
+    float distance = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        onFace[c] = std::clamp(point[c], 0.0F, 1.0F);
+        distance = std::max(distance, std::abs(point[c] - onFace[c]));
+    }
+    if (distance >= fadedOut) return;
+    const Place place = placeInGrid(onFace);
+    if (place.margin == 0) return;
+    const RGB rgb{double(onFace[0]), double(onFace[1]), double(onFace[2])};
+    const SolvedTexel solved = solveColor(XYZ(rgb * spaces_.xyzFromGrid));
+    if (!hasSpectrum(solved)) return;
+    const NodeValues step = difference(blended(place.mix), solved.values);
+    const float share = std::min(place.margin * (1 - distance / fadedOut), room(values, step));
+    for (std::size_t p = 0; p < kNodeValues; ++p) values.value[p] += share * step.value[p];
 }
 
 }  // namespace specbake

@@ -23,7 +23,9 @@ struct LookupSpaces {
 };
 
 /// Finds each texel's spectrum: in the grid where its cell lies in the solid, solved by itself
-/// elsewhere, and a blend of both in the cells between. Any number of threads may share it.
+/// elsewhere, and a blend of both in the cells between. Just outside the grid's cube, the
+/// difference between both fades out, so that there is no step at its faces. Any number of threads
+/// may share it.
 class SpectrumLookup {
   public:
     /// `gridNodes`: none to solve every texel by itself. The resolver must outlive the lookup.
@@ -65,7 +67,9 @@ class SpectrumLookup {
     Place placeInGrid(const Color& point);
     Found find(const Color& color, Scratch& scratch);
     SolvedTexel solve(const Color& color);
-    SolvedTexel solveAnew(const Color& color) const;
+    SolvedTexel solveAnew(const Color& color);
+    SolvedTexel solveColor(const XYZ& asked) const;
+    void addFaceStep(const Color& point, NodeValues& values);
 
     LookupSpaces spaces_;
     std::optional<Imath::M33d> gridFromTexel_;

@@ -87,6 +87,38 @@ TEST_CASE("a looked-up spectrum has its texel's colour, in and across cut cells"
     }
 }
 
+TEST_CASE("there is no step at the faces of the grid's cube, and colours beyond stay exact") {
+    for (const char* name : {"lin_rec709", "lin_displayp3", "lin_rec2020"}) {
+        CAPTURE(name);
+        Bench bench(name, 9);
+        std::mt19937_64 random(18);
+        std::uniform_real_distribution<float> uniform(0, 1);
+        double largestGap = 0;  // what there would be without the transition
+        for (int trial = 0; trial < 1000; ++trial) {
+            std::array<float, 3> inside = {uniform(random), uniform(random), uniform(random)};
+            const std::size_t axis = std::size_t(trial % 3);
+            const bool upper = trial % 2 == 0;
+            inside[axis] = upper ? 1.0F : 0.0F;
+            std::array<float, 3> beyond = inside;
+            beyond[axis] = upper ? std::nextafter(1.0F, 2.0F) : -0x1p-30F;
+            if (bench.solid.gauge(bench.color(beyond)) > 1) continue;
+            const Spectrum onFace = bench.at(inside).spectrum;
+            const Spectrum outside = bench.at(beyond).spectrum;
+            // The steepest slope that was met (1340, Rec.2020 at the solid's boundary), doubled.
+            CHECK(maxDifference(onFace, outside) <= 2 * 1340 * 0x1p-23);
+            const Spectrum solved = bench.solver.solve(bench.color(beyond)).spectrum;
+            largestGap = std::max(largestGap, maxDifference(onFace, solved));
+            beyond[axis] += (upper ? 1.0F : -1.0F) * uniform(random) * 0.1F;
+            if (bench.solid.gauge(bench.color(beyond)) > 1) continue;
+            const Spectrum farther = bench.at(beyond).spectrum;
+            CHECK(largest(bench.observer.color(farther) - bench.color(beyond)) <
+                  3 * kFloatRounding);  // three spectra in a sum
+            CHECK(boundsViolation(farther) <= 4 * 0x1p-24);
+        }
+        CHECK(largestGap > 0.01);
+    }
+}
+
 TEST_CASE("outside colours count as moved, refused or not finite, and only these") {
     Bench nearest("lin_rec709");
     CHECK(nearest.at({0.5F, 0.5F, 0.5F}).census.of(Fate::moved).count == 0);

@@ -28,7 +28,10 @@ void runStability(const Options& options);
 void runScene(const Options& options);
 /// The spectra of a dozen measured colours by every method: spectra.*.
 void runSpectra(const Options& options);
-/// All of the above, then the charts. Throws Error if the plotting step fails.
+/// Whether any colour of the solid fails, and how steep spectra get: exhaustive.*. `full`: 10^6
+/// colours of the solid, 10^5 of each other set. Throws Error if a colour fails.
+void runExhaustive(const Options& options);
+/// The first four, then the charts. Throws Error if the plotting step fails.
 void runCharts(const Options& options);
 
 }  // namespace specbake::bench

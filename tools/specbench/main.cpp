@@ -1,6 +1,6 @@
 // specbench: measures what docs/charts.md shows.
 //
-//     specbench charts|accuracy|stability|scene|spectra [--out DIR] [--full]
+//     specbench charts|accuracy|stability|scene|spectra|exhaustive [--out DIR] [--full]
 //               [--reflectances FILE...] [--textures FILE...]
 #include "commands.h"
 
@@ -46,6 +46,8 @@ int main(int argc, char** argv) {
                options, chosen);
     addCommand(app, "scene", "what textures need of the grid and of the half floats", runScene,
                options, chosen);
+    addCommand(app, "exhaustive", "whether any colour of the solid fails", runExhaustive, options,
+               chosen);
     addCommand(app, "charts", "all of these, then the charts", runCharts, options, chosen);
     try {
         app.parse(argc, argv);

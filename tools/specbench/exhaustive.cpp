@@ -1,0 +1,244 @@
+#include "commands.h"
+#include "figures.h"
+#include "lookup.h"
+#include "methods/frame.h"
+#include "sets.h"
+#include "statistics.h"
+
+#include <specbake/core/error.h>
+#include <specbake/core/shell.h>
+
+#include <fmt/core.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace specbake::bench {
+namespace {
+
+using Random = std::mt19937_64;
+
+double uniform(Random& random) {
+    return double(random() >> 11) * 0x1p-53;
+}
+
+/// Largest residual and largest step out of [0, 1]; how many colours were not solved.
+struct Outcome {
+    std::size_t failed = 0;
+    double residual = 0;
+    double violation = 0;
+};
+
+Outcome solveAll(const Solver& solver, const Observer& observer, const std::vector<XYZ>& colors) {
+    constexpr std::size_t slice = 1000;
+    std::vector<Outcome> slices((colors.size() + slice - 1) / slice);
+    tbb::parallel_for(std::size_t{0}, slices.size(), [&](std::size_t s) {
+        Outcome& outcome = slices[s];
+        for (std::size_t i = s * slice; i < std::min((s + 1) * slice, colors.size()); ++i) {
+            const Solution solution = solver.solve(colors[i]);
+            if (!solution.solved()) ++outcome.failed;
+            const Imath::V3d miss = observer.color(solution.spectrum) - colors[i];
+            for (int c = 0; c < 3; ++c) {
+                outcome.residual = std::max(outcome.residual, std::abs(miss[c]));
+            }
+            for (const double v : solution.spectrum) {
+                outcome.violation = std::max({outcome.violation, -v, v - 1});
+            }
+        }
+    });
+    Outcome all;
+    for (const Outcome& one : slices) {
+        all.failed += one.failed;
+        all.residual = std::max(all.residual, one.residual);
+        all.violation = std::max(all.violation, one.violation);
+    }
+    return all;
+}
+
+std::vector<XYZ> uniformInSolid(const Solid& solid, std::size_t count) {
+    Random random(1);
+    const XYZ white = solid.white();
+    std::vector<XYZ> colors;
+    while (colors.size() < count) {
+        const XYZ t(white.x * uniform(random), white.y * uniform(random),
+                    white.z * uniform(random));
+        if (solid.gauge(t) <= 1) colors.push_back(t);
+    }
+    return colors;
+}
+
+/// From anywhere in the solid towards black, down to a millionth.
+std::vector<XYZ> towardsBlack(const Solid& solid, std::size_t count) {
+    Random random(2);
+    std::vector<XYZ> colors = uniformInSolid(solid, count);
+    for (XYZ& color : colors) color = XYZ(color * std::pow(10.0, -6 * uniform(random)));
+    return colors;
+}
+
+/// Every 8-bit colour, sRGB-encoded, on the surface of a cube; those that the solid holds.
+std::vector<XYZ> surfaceOfCube(const ColorSpace& space, const Observer& observer,
+                               const Solid& solid) {
+    const Imath::M33d matrix = xyzFromRGB(space, observer.white());
+    std::vector<XYZ> colors;
+    const auto add = [&](int r, int g, int b) {
+        const auto linear = [](int code) { return linearFromSRGB(double(code) / 255); };
+        const XYZ color(RGB(linear(r), linear(g), linear(b)) * matrix);
+        if (solid.gauge(color) <= 1 + solid.gaugeError()) colors.push_back(color);
+    };
+    for (int r = 0; r < 256; ++r) {
+        for (int g = 0; g < 256; ++g) {
+            const bool inside = r > 0 && r < 255 && g > 0 && g < 255;
+            for (int b = 0; b < 256; b += inside ? 255 : 1) add(r, g, b);
+        }
+    }
+    return colors;
+}
+
+struct Set {
+    std::string name;
+    std::vector<XYZ> colors;
+};
+
+std::vector<Set> setsOf(const Observer& observer, const Solid& solid, std::size_t scale) {
+    std::vector<Set> sets = {{"uniform in the solid", uniformInSolid(solid, 10 * scale)}};
+    for (const double gauge : {0.99, 0.999, 0.9999, 0.99999, 0.999999, 1.0}) {
+        sets.push_back({fmt::format("gauge {}", gauge), colorsAtGauge(solid, gauge, scale)});
+    }
+    sets.push_back({"towards black", towardsBlack(solid, scale)});
+    for (const ColorSpace& space : colorSpaces()) {
+        const bool asked =
+            space.name == "lin_rec709" || space.name == "lin_rec2020" || space.name == "acescg";
+        if (!asked || space.illuminant != observer.illuminant()) continue;
+        sets.push_back({"surface of " + space.name, surfaceOfCube(space, observer, solid)});
+    }
+    return sets;
+}
+
+/// What a bake gives a linear texel: the grid, and its ways around the grid.
+class BakedTexel {
+  public:
+    BakedTexel(const Frame& frame, const ShellSolver& solver)
+        : resolver_(solver.solid(), solver, Outside::nearest),
+          lookup_(17, {frame.xyzFromRGB, frame.xyzFromRGB}, resolver_) {}
+
+    Spectrum at(const RGB& rgb) {
+        SpectrumLookup::Scratch scratch;
+        TexelCensus census;
+        Mix mix;
+        const SpectrumLookup::Color color = {float(rgb.x), float(rgb.y), float(rgb.z)};
+        lookup_.locate({&color, 1}, 0, {&mix, 1}, scratch, census);
+        Spectrum spectrum{};
+        for (std::size_t m = 0; m < kBandCount; ++m) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                spectrum[m] += double(mix.weights[k]) * double(mix.values[k][kPreviewValues + m]);
+            }
+        }
+        return spectrum;
+    }
+
+  private:
+    ColorResolver resolver_;
+    SpectrumLookup lookup_;
+};
+
+struct Pair {
+    RGB a, b;
+};
+
+RGB randomStep(Random& random, double length) {
+    RGB step;
+    do {
+        step = RGB(uniform(random) - 0.5, uniform(random) - 0.5, uniform(random) - 0.5);
+    } while (step.length() > 0.5 || step.length() < 0.01);
+    return RGB(step * (length / step.length()));
+}
+
+bool inCube(const RGB& rgb) {
+    return std::min({rgb.x, rgb.y, rgb.z}) >= 0 && std::max({rgb.x, rgb.y, rgb.z}) <= 1;
+}
+
+/// Pairs 1e-4 apart: anywhere in the cube, across faces of the grid's cells, across those of the
+/// cube.
+std::array<std::pair<const char*, std::vector<Pair>>, 3> pairSets(std::size_t count) {
+    constexpr double distance = 1e-4;
+    constexpr int cells = 16;
+    Random random(3);
+    std::array<std::pair<const char*, std::vector<Pair>>, 3> sets = {
+        {{"in the sRGB cube", {}}, {"across cells", {}}, {"across the cube's faces", {}}}};
+    for (std::size_t i = 0; sets[0].second.size() < count; ++i) {
+        RGB rgb(uniform(random), uniform(random), uniform(random));
+        const RGB half = randomStep(random, distance / 2);
+        if (!inCube(RGB(rgb - half)) || !inCube(RGB(rgb + half))) continue;
+        const auto add = [&](std::size_t set) {
+            sets[set].second.push_back({RGB(rgb - half), RGB(rgb + half)});
+        };
+        add(0);
+        const int axis = int(i % 3);
+        rgb[axis] = std::pow(double(1 + i % (cells - 1)) / cells, 2);
+        add(1);
+        rgb[axis] = i % 2 == 0 ? 0 : 1;
+        add(2);
+    }
+    return sets;
+}
+
+void addContinuity(Figures& figures, std::size_t count) {
+    const Frame frame = sRGBFrame();
+    const ShellSolver solver(frame.observer);
+    BakedTexel baked(frame, solver);
+    const auto directly = [&](const RGB& rgb) { return solver.solve(frame.xyz(rgb)).spectrum; };
+    const auto throughGrid = [&](const RGB& rgb) { return baked.at(rgb); };
+    for (const auto& [name, pairs] : pairSets(count)) {
+        const auto measure = [&](const char* way, const auto& spectrumOf) {
+            std::vector<double> slopes;
+            for (const Pair& pair : pairs) {
+                slopes.push_back(maxDifference(spectrumOf(pair.a), spectrumOf(pair.b)) /
+                                 (pair.a - pair.b).length());
+            }
+            const double high = quantile(slopes, 0.999);
+            fmt::print("{:<24} {:<10} slope: p99.9 {:.3g}, max {:.3g}\n", name, way, high,
+                       largest(slopes));
+            const MethodName method{"smooth", way};
+            figures.add({name, method, "slope p99.9", high, "reflectance per RGB", {}, ""});
+            figures.add(
+                {name, method, "slope max", largest(slopes), "reflectance per RGB", {}, ""});
+        };
+        measure("direct", directly);
+        measure("grid 17", throughGrid);
+    }
+}
+
+}  // namespace
+
+void runExhaustive(const Options& options) {
+    Figures figures("exhaustive",
+                    options.full ? "specbench exhaustive --full" : "specbench exhaustive");
+    std::size_t failed = 0;
+    for (const char* illuminant : {"D65", "D60", "E"}) {
+        const Observer observer(illuminant);
+        const ShellSolver solver(observer);
+        for (const Set& set : setsOf(observer, solver.solid(), options.full ? 100'000 : 10'000)) {
+            const Outcome outcome = solveAll(solver, observer, set.colors);
+            failed += outcome.failed;
+            fmt::print(
+                "{:<4} {:<24} {:>8} colours: {} failed, residual {:.2g}, outside [0, 1] by "
+                "{:.2g}\n",
+                illuminant, set.name, set.colors.size(), outcome.failed, outcome.residual,
+                outcome.violation);
+            const auto add = [&](const char* quantity, double value, const char* unit) {
+                figures.add({set.name, {"smooth", illuminant}, quantity, value, unit, {}, ""});
+            };
+            add("colours", double(set.colors.size()), "1");
+            add("failed", double(outcome.failed), "1");
+            add("residual max", outcome.residual, "XYZ");
+            add("outside [0, 1] max", outcome.violation, "reflectance");
+        }
+    }
+    addContinuity(figures, options.full ? 100'000 : 10'000);
+    figures.write(options.out);
+    if (failed > 0) throw Error(fmt::format("{} colours were not solved", failed));
+}
+
+}  // namespace specbake::bench
