@@ -54,20 +54,20 @@ TexelCensus Baking::run(const std::function<void(double)>& progress) {
 
 /// Bands of whole chunks, at least 16 rows where they are short, so that a task is worth it.
 std::vector<Band> Baking::bandsOf() const {
-    const int chunkRows = rowsPerChunk(storage_.compression);
+    const ChunkGrid& image = writer_.levels().front();
     constexpr std::size_t worthwhile = 1 << 22;  // bytes
-    const std::size_t rowBytes = writer_.chunkBytes(0) / std::size_t(writer_.chunkRows(0));
-    const int chunks =
-        std::max(1, int(std::min<std::size_t>(worthwhile / rowBytes, 16)) / chunkRows);
+    const std::size_t rowBytes = std::size_t(image.width) * std::size_t(writer_.channelCount()) *
+                                 bytesPerSample(storage_.sampleType);
+    const int rows = int(std::min<std::size_t>(worthwhile / rowBytes, 16));
+    const int rowsOfChunks = std::max(1, rows / image.chunkHeight);
     std::vector<Band> bands;
-    for (int chunk = 0; chunk < writer_.chunkCount(); chunk += chunks) {
+    for (int row = 0; row < image.down(); row += rowsOfChunks) {
+        const int end = std::min(row + rowsOfChunks, image.down());
         Band band;
-        band.firstChunk = chunk;
-        band.firstRow = writer_.chunkFirstRow(chunk);
-        const int last = std::min(chunk + chunks, writer_.chunkCount()) - 1;
-        band.rows = writer_.chunkFirstRow(last) + writer_.chunkRows(last) - band.firstRow;
-        const int packed = last - chunk + 1;
-        band.packed.resize(std::size_t(packed));
+        band.firstChunk = row * image.across();
+        band.firstRow = row * image.chunkHeight;
+        band.rows = std::min(end * image.chunkHeight, image.height) - band.firstRow;
+        band.packed.resize(std::size_t((end - row) * image.across()));
         bands.push_back(std::move(band));
     }
     return bands;
@@ -79,35 +79,40 @@ void Baking::readBand(Band& band) {
 }
 
 void Baking::processBand(Band& band) {
+    const ChunkGrid& image = writer_.levels().front();
     Buffers& buffers = buffers_.local();
     std::vector<std::byte>& samples = buffers.samples;
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         const int chunk = band.firstChunk + int(i);
         samples.resize(writer_.chunkBytes(chunk));
-        for (int row = 0; row < writer_.chunkRows(chunk); ++row) {
-            const std::size_t bytes = samples.size() / std::size_t(writer_.chunkRows(chunk));
-            const int imageRow = writer_.chunkFirstRow(chunk) + row;
-            blendRow(band, imageRow, buffers,
-                     std::span(samples).subspan(std::size_t(row) * bytes, bytes));
+        const Window texels = image.texels(chunk);
+        const std::size_t rowBytes = samples.size() / std::size_t(texels.height);
+        for (int row = 0; row < texels.height; ++row) {
+            blendRun(band, {texels.x, texels.y + row, texels.width, 1}, buffers,
+                     std::span(samples).subspan(std::size_t(row) * rowBytes, rowBytes));
         }
         if (band.census.complete()) band.packed[i] = writer_.pack(chunk, samples);
     }
     band.stored = {};
 }
 
-void Baking::blendRow(Band& band, int imageRow, Buffers& buffers, std::span<std::byte> samples) {
+void Baking::blendRun(Band& band, const Window& run, Buffers& buffers,
+                      std::span<std::byte> samples) {
     const TextureInfo& info = job_.reader.info();
-    const auto width = std::size_t(info.data.width);
-    buffers.colors.resize(width);
-    buffers.alpha.resize(info.alpha ? width : 0);
-    buffers.mixes.resize(width);
-    const std::size_t offset = info.bytesPerRow() * std::size_t(imageRow - band.firstRow);
-    job_.decoder.decode(std::span(band.stored).subspan(offset, info.bytesPerRow()), width,
+    const auto count = std::size_t(run.width);
+    buffers.colors.resize(count);
+    buffers.alpha.resize(info.alpha ? count : 0);
+    buffers.mixes.resize(count);
+    const std::size_t texelBytes = info.bytesPerRow() / std::size_t(info.data.width);
+    const std::size_t offset =
+        info.bytesPerRow() * std::size_t(run.y - band.firstRow) + texelBytes * std::size_t(run.x);
+    job_.decoder.decode(std::span(band.stored).subspan(offset, texelBytes * count), count,
                         buffers.colors.data(), buffers.alpha.data());
     SpectrumLookup::Scratch scratch;
-    lookup_.locate(buffers.colors, std::size_t(imageRow) * width, buffers.mixes, scratch,
-                   band.census);
-    const std::size_t plane = width * bytesPerSample(storage_.sampleType);
+    const std::size_t first =
+        std::size_t(run.y) * std::size_t(info.data.width) + std::size_t(run.x);
+    lookup_.locate(buffers.colors, first, buffers.mixes, scratch, band.census);
+    const std::size_t plane = count * bytesPerSample(storage_.sampleType);
     const bool half = storage_.sampleType == SampleType::half;
     const BlendType type = half ? BlendType::half : BlendType::float32;
     if (info.alpha) storeSamples(buffers.alpha, type, samples.data());
@@ -117,7 +122,7 @@ void Baking::blendRow(Band& band, int imageRow, Buffers& buffers, std::span<std:
 }
 
 void Baking::writeBand(Band& band) {
-    census_.append(band.census);
+    census_.add(band.census);
     if (!census_.complete()) return;
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         writer_.write(band.firstChunk + int(i), band.packed[i]);

@@ -35,7 +35,8 @@ class Baking {
         std::vector<float> alpha;
         std::vector<Mix> mixes;
     };
-    void blendRow(Band& band, int imageRow, Buffers& buffers, std::span<std::byte> samples);
+    /// Samples of some neighbours in one row, plane by plane.
+    void blendRun(Band& band, const Window& run, Buffers& buffers, std::span<std::byte> samples);
     void writeBand(Band& band);
 
     Job& job_;

@@ -7,7 +7,7 @@
 
 namespace specbake {
 
-/// A run of rows on its way through the pipeline: whole chunks of the file.
+/// A run of rows on its way through the pipeline: whole rows of chunks of the file.
 struct Band {
     int firstRow = 0;
     int rows = 0;
