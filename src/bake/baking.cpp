@@ -6,6 +6,7 @@
 #include <specbake/core/error.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace specbake {
 namespace {
@@ -33,7 +34,13 @@ void refuseIncomplete(const TextureInfo& info, const TexelCensus& census) {
 
 Baking::Baking(Job& job, SpectrumLookup& lookup, SpectralWriter& writer,
                const StorageOptions& storage, int bits)
-    : job_(job), lookup_(lookup), writer_(writer), storage_(storage), bits_(bits) {}
+    : job_(job),
+      lookup_(lookup),
+      writer_(writer),
+      storage_(storage),
+      bits_(bits),
+      pyramid_(std::span(writer.levels()).subspan(1), job.reader.info().alpha.has_value()),
+      levelTiles_(writer, storage.sampleType, bits, job.reader.info().alpha.has_value()) {}
 
 TexelCensus Baking::run(const std::function<void(double)>& progress) {
     const int height = job_.reader.info().data.height;
@@ -52,14 +59,16 @@ TexelCensus Baking::run(const std::function<void(double)>& progress) {
     return census_;
 }
 
-/// Bands of whole chunks, at least 16 rows where they are short, so that a task is worth it.
+/// Bands of whole chunks, at least 16 rows where they are short, so that a task is worth it. They
+/// begin at even rows where there is a level below: so does what a row of that level is made of.
 std::vector<Band> Baking::bandsOf() const {
     const ChunkGrid& image = writer_.levels().front();
     constexpr std::size_t worthwhile = 1 << 22;  // bytes
     const std::size_t rowBytes = std::size_t(image.width) * std::size_t(writer_.channelCount()) *
                                  bytesPerSample(storage_.sampleType);
     const int rows = int(std::min<std::size_t>(worthwhile / rowBytes, 16));
-    const int rowsOfChunks = std::max(1, rows / image.chunkHeight);
+    int rowsOfChunks = std::max(1, rows / image.chunkHeight);
+    if (hasLevels() && rowsOfChunks * image.chunkHeight % 2 == 1) rowsOfChunks *= 2;
     std::vector<Band> bands;
     for (int row = 0; row < image.down(); row += rowsOfChunks) {
         const int end = std::min(row + rowsOfChunks, image.down());
@@ -67,6 +76,8 @@ std::vector<Band> Baking::bandsOf() const {
         band.firstChunk = row * image.across();
         band.firstRow = row * image.chunkHeight;
         band.rows = std::min(end * image.chunkHeight, image.height) - band.firstRow;
+        const bool last = band.firstRow + band.rows == image.height;
+        band.rowsAhead = hasLevels() && image.height % 2 == 1 && !last ? 1 : 0;
         band.packed.resize(std::size_t((end - row) * image.across()));
         bands.push_back(std::move(band));
     }
@@ -74,8 +85,18 @@ std::vector<Band> Baking::bandsOf() const {
 }
 
 void Baking::readBand(Band& band) {
-    band.stored.resize(job_.reader.info().bytesPerRow() * std::size_t(band.rows));
-    job_.reader.readRows(band.firstRow, band.rows, band.stored);
+    const std::size_t rowBytes = job_.reader.info().bytesPerRow();
+    band.stored = std::exchange(readAhead_, {});
+    const std::size_t there = band.stored.size();
+    const int first = int(there / rowBytes);
+    const int rows = band.rows + band.rowsAhead;
+    band.stored.resize(rowBytes * std::size_t(rows));
+    if (first < rows) {
+        job_.reader.readRows(band.firstRow + first, rows - first,
+                             std::span(band.stored).subspan(there));
+    }
+    const auto ahead = std::ptrdiff_t(rowBytes) * band.rowsAhead;
+    readAhead_.assign(band.stored.end() - ahead, band.stored.end());
 }
 
 void Baking::processBand(Band& band) {
@@ -88,16 +109,50 @@ void Baking::processBand(Band& band) {
         const Window texels = image.texels(chunk);
         const std::size_t rowBytes = samples.size() / std::size_t(texels.height);
         for (int row = 0; row < texels.height; ++row) {
-            blendRun(band, {texels.x, texels.y + row, texels.width, 1}, buffers,
-                     std::span(samples).subspan(std::size_t(row) * rowBytes, rowBytes));
+            blendRun(band, {texels.x, texels.y + row, texels.width, 1}, blendType(), buffers,
+                     std::span(samples).subspan(std::size_t(row) * rowBytes, rowBytes),
+                     band.census);
         }
         if (band.census.complete()) band.packed[i] = writer_.pack(chunk, samples);
     }
+    if (hasLevels() && band.census.complete()) reduceBand(band);
     band.stored = {};
 }
 
-void Baking::blendRun(Band& band, const Window& run, Buffers& buffers,
-                      std::span<std::byte> samples) {
+/// The rows of the level below whose first tap is in the band.
+void Baking::reduceBand(Band& band) {
+    const ChunkGrid& image = writer_.levels().front();
+    const int height = image.height;
+    std::vector<std::pair<int, TexelRow>> known;  // rows of the image
+    for (int row = band.firstRow / 2; row < halvedSide(height); ++row) {
+        const BoxTaps taps = boxTaps(height, row);
+        if (taps.first >= band.firstRow + band.rows) break;
+        std::erase_if(known, [&](const auto& k) { return k.first < taps.first; });
+        for (int y = taps.first + int(known.size()); y < taps.first + taps.count; ++y) {
+            known.emplace_back(y, unroundedRow(band, y));
+        }
+        std::vector<const TexelRow*> rows;
+        for (const auto& [y, texels] : known) rows.push_back(&texels);
+        band.smaller.push_back(
+            averageRows(rows, taps, image.width, job_.reader.info().alpha.has_value()));
+    }
+}
+
+TexelRow Baking::unroundedRow(const Band& band, int row) {
+    const int width = writer_.levels().front().width;
+    TexelRow texels(std::size_t(width) * std::size_t(writer_.channelCount()));
+    TexelCensus counted;  // once, when the row's samples were made
+    blendRun(band, {0, row, width, 1}, BlendType::float32, buffers_.local(),
+             std::as_writable_bytes(std::span(texels)), counted);
+    return texels;
+}
+
+BlendType Baking::blendType() const {
+    return storage_.sampleType == SampleType::half ? BlendType::half : BlendType::float32;
+}
+
+void Baking::blendRun(const Band& band, const Window& run, BlendType type, Buffers& buffers,
+                      std::span<std::byte> samples, TexelCensus& census) {
     const TextureInfo& info = job_.reader.info();
     const auto count = std::size_t(run.width);
     buffers.colors.resize(count);
@@ -111,14 +166,12 @@ void Baking::blendRun(Band& band, const Window& run, Buffers& buffers,
     SpectrumLookup::Scratch scratch;
     const std::size_t first =
         std::size_t(run.y) * std::size_t(info.data.width) + std::size_t(run.x);
-    lookup_.locate(buffers.colors, first, buffers.mixes, scratch, band.census);
-    const std::size_t plane = count * bytesPerSample(storage_.sampleType);
-    const bool half = storage_.sampleType == SampleType::half;
-    const BlendType type = half ? BlendType::half : BlendType::float32;
+    lookup_.locate(buffers.colors, first, buffers.mixes, scratch, census);
+    const std::size_t plane = samples.size() / std::size_t(writer_.channelCount());
     if (info.alpha) storeSamples(buffers.alpha, type, samples.data());
     const auto colorPlanes = samples.subspan(info.alpha ? plane : 0);
     blend(buffers.mixes, type, colorPlanes.data(), plane);
-    if (half) roundMantissa(colorPlanes, bits_);
+    if (type == BlendType::half) roundMantissa(colorPlanes, bits_);
 }
 
 void Baking::writeBand(Band& band) {
@@ -126,6 +179,10 @@ void Baking::writeBand(Band& band) {
     if (!census_.complete()) return;
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         writer_.write(band.firstChunk + int(i), band.packed[i]);
+    }
+    for (TexelRow& row : band.smaller) {
+        pyramid_.add(std::move(row));
+        for (const TileRow& tiles : pyramid_.takeComplete()) levelTiles_.write(tiles);
     }
 }
 

@@ -38,6 +38,7 @@ struct Arguments {
     std::optional<double> maxDeviation;
     std::optional<double> maxDE;
     std::vector<int> tile;  ///< none, or width and height
+    bool mipmap = false;
     int threads = 0;
     std::string statsFile;
     bool update = false;
@@ -80,6 +81,7 @@ BakeOptions optionsOf(const Arguments& a, const std::stop_token& stop, ProgressB
     options.storage.sampleType = a.sampleType == "half" ? SampleType::half : SampleType::float32;
     parseCompression(a.compression, options.storage);
     if (!a.tile.empty()) options.storage.tile = TileSize{a.tile.at(0), a.tile.at(1)};
+    options.storage.mipmap = a.mipmap;
     options.stop = stop;
     options.progress = [&bar](double done) { bar.show(done); };
     return options;
@@ -232,6 +234,8 @@ Command addBake(CLI::App& program) {
         ->expected(2)
         ->check(CLI::Range(1, TileSize::kLargestSide))
         ->type_name("W H");
+    command->add_flag("--mipmap", a->mipmap,
+                      "store all mip levels, averages of spectra; tiles of 64 x 64 unless --tile");
     command->add_option("-j,--threads", a->threads, "threads, 0 for all cores")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
