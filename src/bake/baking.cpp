@@ -78,7 +78,8 @@ std::vector<Band> Baking::bandsOf() const {
         band.rows = std::min(end * image.chunkHeight, image.height) - band.firstRow;
         const bool last = band.firstRow + band.rows == image.height;
         band.rowsAhead = hasLevels() && image.height % 2 == 1 && !last ? 1 : 0;
-        band.packed.resize(std::size_t((end - row) * image.across()));
+        const int chunks = (end - row) * image.across();
+        band.packed.resize(std::size_t(chunks));
         bands.push_back(std::move(band));
     }
     return bands;

@@ -2,6 +2,7 @@
 #include <specbake/image/chunk_grid.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace specbake {
@@ -13,6 +14,17 @@ void check(const TileSize& tile) {
         throw ArgumentError("a tile's sides go from 1 to " +
                             std::to_string(TileSize::kLargestSide));
     }
+}
+
+/// Adds a level of that size. The format numbers chunks by 32 bits.
+void addLevel(std::vector<ChunkGrid>& grids, int width, int height, const TileSize& tile) {
+    ChunkGrid grid{int(grids.size()), 0, width, height, tile.width, tile.height};
+    if (!grids.empty()) grid.firstChunk = grids.back().firstChunk + grids.back().count();
+    const long long end = grid.firstChunk + 1LL * grid.across() * grid.down();
+    if (end > std::numeric_limits<int>::max()) {
+        throw ArgumentError("more tiles than a file can have; larger ones are needed");
+    }
+    grids.push_back(grid);
 }
 
 }  // namespace
@@ -29,11 +41,12 @@ std::vector<ChunkGrid> chunkGrids(int width, int height, const StorageOptions& s
     }
     const TileSize tile = storage.tile.value_or(TileSize());
     check(tile);
-    std::vector<ChunkGrid> grids = {{0, 0, width, height, tile.width, tile.height}};
-    while (storage.mipmap && (grids.back().width > 1 || grids.back().height > 1)) {
-        const ChunkGrid& above = grids.back();
-        grids.push_back({above.level + 1, above.firstChunk + above.count(), halvedSide(above.width),
-                         halvedSide(above.height), tile.width, tile.height});
+    std::vector<ChunkGrid> grids;
+    addLevel(grids, width, height, tile);
+    while (storage.mipmap && (width > 1 || height > 1)) {
+        width = halvedSide(width);
+        height = halvedSide(height);
+        addLevel(grids, width, height, tile);
     }
     return grids;
 }

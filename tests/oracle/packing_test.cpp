@@ -236,6 +236,11 @@ TEST_CASE("impossible tiles are refused") {
         const StorageOptions storage{SampleType::half, Compression::zip, 3, tile};
         CHECK_THROWS_AS(PackedFile({0, 0, 4, 4}, storage, false), ArgumentError);
     }
+    // 4/3 of 2³⁰ tiles can be numbered by 31 bits, 2³¹ cannot.
+    StorageOptions storage{SampleType::half, Compression::zip, 3, TileSize{4, 4}, true};
+    CHECK(chunkGrids(kLargestSide, kLargestSide, storage).size() == 18);
+    storage.tile = TileSize{2, 4};
+    CHECK_THROWS_AS(chunkGrids(kLargestSide, kLargestSide, storage), ArgumentError);
 }
 
 TEST_CASE("rows longer than deflate's window are packed and read back") {

@@ -31,7 +31,8 @@ constexpr int halvedSide(int side) {
     return side > 1 ? side / 2 : 1;
 }
 
-/// The levels of a file of that size, the largest first. Throws ArgumentError for impossible tiles.
+/// The levels of a file of that size, the largest first. Throws ArgumentError for impossible tiles,
+/// and for more than a file can have.
 std::vector<ChunkGrid> chunkGrids(int width, int height, const StorageOptions& storage);
 
 }  // namespace specbake
