@@ -6,6 +6,7 @@
 #include <specbake/core/error.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace specbake {
 namespace {
@@ -33,7 +34,13 @@ void refuseIncomplete(const TextureInfo& info, const TexelCensus& census) {
 
 Baking::Baking(Job& job, SpectrumLookup& lookup, SpectralWriter& writer,
                const StorageOptions& storage, int bits)
-    : job_(job), lookup_(lookup), writer_(writer), storage_(storage), bits_(bits) {}
+    : job_(job),
+      lookup_(lookup),
+      writer_(writer),
+      storage_(storage),
+      bits_(bits),
+      pyramid_(std::span(writer.levels()).subspan(1), job.reader.info().alpha.has_value()),
+      levelTiles_(writer, storage.sampleType, bits, job.reader.info().alpha.has_value()) {}
 
 TexelCensus Baking::run(const std::function<void(double)>& progress) {
     const int height = job_.reader.info().data.height;
@@ -52,75 +59,131 @@ TexelCensus Baking::run(const std::function<void(double)>& progress) {
     return census_;
 }
 
-/// Bands of whole chunks, at least 16 rows where they are short, so that a task is worth it.
+/// Bands of whole chunks, at least 16 rows where they are short, so that a task is worth it. They
+/// begin at even rows where there is a level below: so does what a row of that level is made of.
 std::vector<Band> Baking::bandsOf() const {
-    const int chunkRows = rowsPerChunk(storage_.compression);
+    const ChunkGrid& image = writer_.levels().front();
     constexpr std::size_t worthwhile = 1 << 22;  // bytes
-    const std::size_t rowBytes = writer_.chunkBytes(0) / std::size_t(writer_.chunkRows(0));
-    const int chunks =
-        std::max(1, int(std::min<std::size_t>(worthwhile / rowBytes, 16)) / chunkRows);
+    const std::size_t rowBytes = std::size_t(image.width) * std::size_t(writer_.channelCount()) *
+                                 bytesPerSample(storage_.sampleType);
+    const int rows = int(std::min<std::size_t>(worthwhile / rowBytes, 16));
+    int rowsOfChunks = std::max(1, rows / image.chunkHeight);
+    if (hasLevels() && rowsOfChunks * image.chunkHeight % 2 == 1) rowsOfChunks *= 2;
     std::vector<Band> bands;
-    for (int chunk = 0; chunk < writer_.chunkCount(); chunk += chunks) {
+    for (int row = 0; row < image.down(); row += rowsOfChunks) {
+        const int end = std::min(row + rowsOfChunks, image.down());
         Band band;
-        band.firstChunk = chunk;
-        band.firstRow = writer_.chunkFirstRow(chunk);
-        const int last = std::min(chunk + chunks, writer_.chunkCount()) - 1;
-        band.rows = writer_.chunkFirstRow(last) + writer_.chunkRows(last) - band.firstRow;
-        const int packed = last - chunk + 1;
-        band.packed.resize(std::size_t(packed));
+        band.firstChunk = row * image.across();
+        band.firstRow = row * image.chunkHeight;
+        band.rows = std::min(end * image.chunkHeight, image.height) - band.firstRow;
+        const bool last = band.firstRow + band.rows == image.height;
+        band.rowsAhead = hasLevels() && image.height % 2 == 1 && !last ? 1 : 0;
+        const int chunks = (end - row) * image.across();
+        band.packed.resize(std::size_t(chunks));
         bands.push_back(std::move(band));
     }
     return bands;
 }
 
 void Baking::readBand(Band& band) {
-    band.stored.resize(job_.reader.info().bytesPerRow() * std::size_t(band.rows));
-    job_.reader.readRows(band.firstRow, band.rows, band.stored);
+    const std::size_t rowBytes = job_.reader.info().bytesPerRow();
+    band.stored = std::exchange(readAhead_, {});
+    const std::size_t there = band.stored.size();
+    const int first = int(there / rowBytes);
+    const int rows = band.rows + band.rowsAhead;
+    band.stored.resize(rowBytes * std::size_t(rows));
+    if (first < rows) {
+        job_.reader.readRows(band.firstRow + first, rows - first,
+                             std::span(band.stored).subspan(there));
+    }
+    const auto ahead = std::ptrdiff_t(rowBytes) * band.rowsAhead;
+    readAhead_.assign(band.stored.end() - ahead, band.stored.end());
 }
 
 void Baking::processBand(Band& band) {
+    const ChunkGrid& image = writer_.levels().front();
     Buffers& buffers = buffers_.local();
     std::vector<std::byte>& samples = buffers.samples;
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         const int chunk = band.firstChunk + int(i);
         samples.resize(writer_.chunkBytes(chunk));
-        for (int row = 0; row < writer_.chunkRows(chunk); ++row) {
-            const std::size_t bytes = samples.size() / std::size_t(writer_.chunkRows(chunk));
-            const int imageRow = writer_.chunkFirstRow(chunk) + row;
-            blendRow(band, imageRow, buffers,
-                     std::span(samples).subspan(std::size_t(row) * bytes, bytes));
+        const Window texels = image.texels(chunk);
+        const std::size_t rowBytes = samples.size() / std::size_t(texels.height);
+        for (int row = 0; row < texels.height; ++row) {
+            blendRun(band, {texels.x, texels.y + row, texels.width, 1}, blendType(), buffers,
+                     std::span(samples).subspan(std::size_t(row) * rowBytes, rowBytes),
+                     band.census);
         }
         if (band.census.complete()) band.packed[i] = writer_.pack(chunk, samples);
     }
+    if (hasLevels() && band.census.complete()) reduceBand(band);
     band.stored = {};
 }
 
-void Baking::blendRow(Band& band, int imageRow, Buffers& buffers, std::span<std::byte> samples) {
+/// The rows of the level below whose first tap is in the band.
+void Baking::reduceBand(Band& band) {
+    const ChunkGrid& image = writer_.levels().front();
+    const int height = image.height;
+    std::vector<std::pair<int, TexelRow>> known;  // rows of the image
+    for (int row = band.firstRow / 2; row < halvedSide(height); ++row) {
+        const BoxTaps taps = boxTaps(height, row);
+        if (taps.first >= band.firstRow + band.rows) break;
+        std::erase_if(known, [&](const auto& k) { return k.first < taps.first; });
+        for (int y = taps.first + int(known.size()); y < taps.first + taps.count; ++y) {
+            known.emplace_back(y, unroundedRow(band, y));
+        }
+        std::vector<const TexelRow*> rows;
+        for (const auto& [y, texels] : known) rows.push_back(&texels);
+        band.smaller.push_back(
+            averageRows(rows, taps, image.width, job_.reader.info().alpha.has_value()));
+    }
+}
+
+TexelRow Baking::unroundedRow(const Band& band, int row) {
+    const int width = writer_.levels().front().width;
+    TexelRow texels(std::size_t(width) * std::size_t(writer_.channelCount()));
+    TexelCensus counted;  // once, when the row's samples were made
+    blendRun(band, {0, row, width, 1}, BlendType::float32, buffers_.local(),
+             std::as_writable_bytes(std::span(texels)), counted);
+    return texels;
+}
+
+BlendType Baking::blendType() const {
+    return storage_.sampleType == SampleType::half ? BlendType::half : BlendType::float32;
+}
+
+void Baking::blendRun(const Band& band, const Window& run, BlendType type, Buffers& buffers,
+                      std::span<std::byte> samples, TexelCensus& census) {
     const TextureInfo& info = job_.reader.info();
-    const auto width = std::size_t(info.data.width);
-    buffers.colors.resize(width);
-    buffers.alpha.resize(info.alpha ? width : 0);
-    buffers.mixes.resize(width);
-    const std::size_t offset = info.bytesPerRow() * std::size_t(imageRow - band.firstRow);
-    job_.decoder.decode(std::span(band.stored).subspan(offset, info.bytesPerRow()), width,
+    const auto count = std::size_t(run.width);
+    buffers.colors.resize(count);
+    buffers.alpha.resize(info.alpha ? count : 0);
+    buffers.mixes.resize(count);
+    const std::size_t texelBytes = info.bytesPerRow() / std::size_t(info.data.width);
+    const std::size_t offset =
+        info.bytesPerRow() * std::size_t(run.y - band.firstRow) + texelBytes * std::size_t(run.x);
+    job_.decoder.decode(std::span(band.stored).subspan(offset, texelBytes * count), count,
                         buffers.colors.data(), buffers.alpha.data());
     SpectrumLookup::Scratch scratch;
-    lookup_.locate(buffers.colors, std::size_t(imageRow) * width, buffers.mixes, scratch,
-                   band.census);
-    const std::size_t plane = width * bytesPerSample(storage_.sampleType);
-    const bool half = storage_.sampleType == SampleType::half;
-    const BlendType type = half ? BlendType::half : BlendType::float32;
+    const std::size_t first =
+        std::size_t(run.y) * std::size_t(info.data.width) + std::size_t(run.x);
+    lookup_.locate(buffers.colors, first, buffers.mixes, scratch, census);
+    const std::size_t plane = samples.size() / std::size_t(writer_.channelCount());
     if (info.alpha) storeSamples(buffers.alpha, type, samples.data());
     const auto colorPlanes = samples.subspan(info.alpha ? plane : 0);
     blend(buffers.mixes, type, colorPlanes.data(), plane);
-    if (half) roundMantissa(colorPlanes, bits_);
+    if (type == BlendType::half) roundMantissa(colorPlanes, bits_);
 }
 
 void Baking::writeBand(Band& band) {
-    census_.append(band.census);
+    census_.add(band.census);
     if (!census_.complete()) return;
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         writer_.write(band.firstChunk + int(i), band.packed[i]);
+    }
+    for (TexelRow& row : band.smaller) {
+        pyramid_.add(std::move(row));
+        for (const TileRow& tiles : pyramid_.takeComplete()) levelTiles_.write(tiles);
     }
 }
 

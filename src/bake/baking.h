@@ -2,6 +2,7 @@
 
 #include "band.h"
 #include "job.h"
+#include "level_tiles.h"
 
 #include <specbake/image/spectral_writer.h>
 
@@ -28,6 +29,9 @@ class Baking {
     std::vector<Band> bandsOf() const;
     void readBand(Band& band);
     void processBand(Band& band);
+    void reduceBand(Band& band);
+    void writeBand(Band& band);
+    bool hasLevels() const { return writer_.levels().size() > 1; }
     /// What a thread keeps from band to band.
     struct Buffers {
         std::vector<std::byte> samples;  ///< of a chunk
@@ -35,14 +39,20 @@ class Baking {
         std::vector<float> alpha;
         std::vector<Mix> mixes;
     };
-    void blendRow(Band& band, int imageRow, Buffers& buffers, std::span<std::byte> samples);
-    void writeBand(Band& band);
+    /// Samples of some neighbours in one row, plane by plane.
+    void blendRun(const Band& band, const Window& run, BlendType type, Buffers& buffers,
+                  std::span<std::byte> samples, TexelCensus& census);
+    TexelRow unroundedRow(const Band& band, int row);
+    BlendType blendType() const;
 
     Job& job_;
     SpectrumLookup& lookup_;
     SpectralWriter& writer_;
     StorageOptions storage_;
     int bits_;
+    std::vector<std::byte> readAhead_;  ///< of the texture
+    Pyramid pyramid_;
+    LevelTiles levelTiles_;
     TexelCensus census_;
     tbb::enumerable_thread_specific<Buffers> buffers_;
 };

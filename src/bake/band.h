@@ -1,5 +1,6 @@
 #pragma once
 
+#include "box_filter.h"
 #include "texel_census.h"
 
 #include <cstddef>
@@ -7,13 +8,15 @@
 
 namespace specbake {
 
-/// A run of rows on its way through the pipeline: whole chunks of the file.
+/// A run of rows on its way through the pipeline: whole rows of chunks of the file.
 struct Band {
     int firstRow = 0;
     int rows = 0;
     int firstChunk = 0;
+    int rowsAhead = 0;                           ///< of the next band, that `smaller` needs
     std::vector<std::byte> stored;               ///< as the texture holds them
     std::vector<std::vector<std::byte>> packed;  ///< chunk by chunk, as the file will
+    std::vector<TexelRow> smaller;               ///< rows of the level below, if there is one
     TexelCensus census;
 };
 

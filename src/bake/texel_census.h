@@ -15,7 +15,7 @@ enum class Fate {
     failed      ///< inside the solid, and yet the method did not solve it
 };
 
-/// What a run of texels met. Censuses of consecutive runs add up to that of the whole.
+/// What some texels met. Censuses of parts, in any order, add up to that of the whole.
 class TexelCensus {
   public:
     /// Texels of one fate: how many, and the first one's number in row order.
@@ -27,16 +27,19 @@ class TexelCensus {
     /// A texel that is no blend of the grid's nodes; `difference`: CIEDE2000 from asked to given.
     void meet(std::size_t texel, Fate fate, double difference) {
         Kind& kind = kinds_[std::size_t(fate)];
-        if (kind.count++ == 0) kind.first = texel;
+        kind.first = std::min(texel, kind.first.value_or(texel));
+        ++kind.count;
         largestMove_ = std::max(largestMove_, difference);
     }
 
-    void append(const TexelCensus& later) {
+    void add(const TexelCensus& other) {
         for (std::size_t i = 0; i < kFates; ++i) {
-            if (kinds_[i].count == 0) kinds_[i].first = later.kinds_[i].first;
-            kinds_[i].count += later.kinds_[i].count;
+            const Kind& kind = other.kinds_[i];
+            if (kind.first)
+                kinds_[i].first = std::min(*kind.first, kinds_[i].first.value_or(*kind.first));
+            kinds_[i].count += kind.count;
         }
-        largestMove_ = std::max(largestMove_, later.largestMove_);
+        largestMove_ = std::max(largestMove_, other.largestMove_);
     }
 
     const Kind& of(Fate fate) const { return kinds_[std::size_t(fate)]; }

@@ -2,6 +2,8 @@
 
 #include <specbake/core/error.h>
 
+#include <cstdint>
+
 namespace specbake {
 namespace {
 
@@ -23,6 +25,11 @@ exr_compression_t compressionOf(Compression compression) {
             break;
     }
     return EXR_COMPRESSION_NONE;
+}
+
+/// Levels are written side by side, as their rows become known.
+exr_lineorder_t lineOrderOf(const StorageOptions& storage) {
+    return storage.mipmap ? EXR_LINEORDER_RANDOM_Y : EXR_LINEORDER_INCREASING_Y;
 }
 
 /// Sets one attribute of whatever type its value has.
@@ -69,18 +76,24 @@ struct AttributeSetter {
 
 ExrContext::ExrContext(const std::filesystem::path& file, std::string shownAs,
                        const SpectralHeader& header, const StorageOptions& storage)
-    : shownAs_(std::move(shownAs)) {
+    : shownAs_(std::move(shownAs)), top_(header.data.y), tiled_(storage.isTiled()) {
     exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
     options.error_handler_fn = ignoreMessage;
     check(exr_start_write(&context_, file.c_str(), EXR_WRITE_FILE_DIRECTLY, &options));
     int part = 0;
-    check(exr_add_part(context_, "", EXR_STORAGE_SCANLINE, &part));
+    check(exr_add_part(context_, "", tiled_ ? EXR_STORAGE_TILED : EXR_STORAGE_SCANLINE, &part));
     const exr_attr_box2i_t data = boxOf(header.data);
     const exr_attr_box2i_t display = boxOf(header.display);
     const exr_attr_v2f_t center = {0, 0};
     check(exr_initialize_required_attr(context_, part, &display, &data, header.pixelAspectRatio,
-                                       &center, 1.0F, EXR_LINEORDER_INCREASING_Y,
+                                       &center, 1.0F, lineOrderOf(storage),
                                        compressionOf(storage.compression)));
+    if (tiled_) {
+        const TileSize tile = storage.tile.value_or(TileSize());
+        check(exr_set_tile_descriptor(
+            context_, part, std::uint32_t(tile.width), std::uint32_t(tile.height),
+            storage.mipmap ? EXR_TILE_MIPMAP_LEVELS : EXR_TILE_ONE_LEVEL, EXR_TILE_ROUND_DOWN));
+    }
     const bool half = storage.sampleType == SampleType::half;
     for (const std::string& name : channelNames(header.alpha)) {
         check(exr_add_channel(context_, part, name.c_str(), half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
@@ -94,6 +107,30 @@ ExrContext::ExrContext(const std::filesystem::path& file, std::string shownAs,
 
 ExrContext::~ExrContext() {
     if (context_ != nullptr) exr_finish(&context_);
+}
+
+int ExrContext::firstRow(const ChunkGrid& level, int chunk) const {
+    return top_ + level.texels(chunk).y;
+}
+
+exr_chunk_info_t ExrContext::chunkInfo(const ChunkGrid& level, int chunk) const {
+    exr_chunk_info_t info{};
+    check(tiled_ ? exr_write_tile_chunk_info(context_, 0, level.column(chunk), level.row(chunk),
+                                             level.level, level.level, &info)
+                 : exr_write_scanline_chunk_info(context_, 0, firstRow(level, chunk), &info));
+    // OpenEXR 3.1 takes the last tiles of the levels below the first for whole ones.
+    const Window texels = level.texels(chunk);
+    info.width = texels.width;
+    info.height = texels.height;
+    return info;
+}
+
+void ExrContext::writeChunk(const ChunkGrid& level, int chunk,
+                            std::span<const std::byte> packed) const {
+    check(tiled_ ? exr_write_tile_chunk(context_, 0, level.column(chunk), level.row(chunk),
+                                        level.level, level.level, packed.data(), packed.size())
+                 : exr_write_scanline_chunk(context_, 0, firstRow(level, chunk), packed.data(),
+                                            packed.size()));
 }
 
 void ExrContext::check(exr_result_t result) const {

@@ -1,10 +1,12 @@
 #pragma once
 
-#include <specbake/image/spectral_layout.h>
+#include <specbake/image/chunk_grid.h>
 
 #include <OpenEXR/openexr.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace specbake {
@@ -21,6 +23,11 @@ class ExrContext {
 
     exr_context_t get() const { return context_; }
 
+    /// What OpenEXRCore's encoder asks for. Safe from several threads.
+    exr_chunk_info_t chunkInfo(const ChunkGrid& level, int chunk) const;
+
+    void writeChunk(const ChunkGrid& level, int chunk, std::span<const std::byte> packed) const;
+
     /// Throws FileError if a call of the library failed.
     void check(exr_result_t result) const;
 
@@ -28,7 +35,12 @@ class ExrContext {
     void finish();
 
   private:
+    /// Of a chunk of scan lines, in the data window's coordinates.
+    int firstRow(const ChunkGrid& level, int chunk) const;
+
     std::string shownAs_;
+    int top_;
+    bool tiled_;
     exr_context_t context_ = nullptr;
 };
 

@@ -114,6 +114,7 @@ StorageFacts storageFactsOf(const std::string& path) {
         if (name.starts_with("oiio:") || name == "compression") continue;
         facts.attributes.emplace_back(name, value.get_string());
     }
+    while (source.input().seek_subimage(0, facts.levels)) ++facts.levels;
     return facts;
 }
 

@@ -36,9 +36,7 @@ exr_result_t keepPacked(exr_encode_pipeline_t* encoder) {
 /// OpenEXRCore's encoder for one chunk.
 class Encoder {
   public:
-    Encoder(const ExrContext& context, int y) : context_(context) {
-        exr_chunk_info_t chunk;
-        context.check(exr_write_scanline_chunk_info(context.get(), 0, y, &chunk));
+    Encoder(const ExrContext& context, const exr_chunk_info_t& chunk) : context_(context) {
         context.check(exr_encoding_initialize(context.get(), 0, &chunk, &encoder_));
     }
     ~Encoder() { exr_encoding_destroy(context_.get(), &encoder_); }
@@ -70,9 +68,9 @@ class Encoder {
 
 }  // namespace
 
-std::vector<std::byte> packPiz(const ExrContext& context, int y,
+std::vector<std::byte> packPiz(const ExrContext& context, const ChunkGrid& level, int chunk,
                                std::span<const std::byte> samples) {
-    return Encoder(context, y).run(samples);
+    return Encoder(context, context.chunkInfo(level, chunk)).run(samples);
 }
 
 }  // namespace specbake

@@ -8,9 +8,9 @@
 
 namespace specbake {
 
-/// OpenEXR's PIZ (wavelet and Huffman), by OpenEXRCore's own encoder, for the chunk that begins at
-/// row `y` of the data window's coordinates. Safe from several threads on one context.
-std::vector<std::byte> packPiz(const ExrContext& context, int y,
+/// OpenEXR's PIZ (wavelet and Huffman), by OpenEXRCore's own encoder, for one chunk of a level.
+/// Safe from several threads on one context.
+std::vector<std::byte> packPiz(const ExrContext& context, const ChunkGrid& level, int chunk,
                                std::span<const std::byte> samples);
 
 }  // namespace specbake

@@ -29,15 +29,26 @@ struct SpectralWriter::Implementation {
         : header(h),
           storage(checked(s)),
           file(path),
+          levels(chunkGrids(h.data.width, h.data.height, s)),
           context(file.temporaryPath(), path.string(), h, s) {}
 
-    std::size_t planeRowBytes() const {
-        return std::size_t(header.data.width) * bytesPerSample(storage.sampleType);
+    /// The level that a chunk belongs to.
+    const ChunkGrid& levelOf(int chunk) const {
+        const auto after = std::find_if(levels.begin(), levels.end(), [chunk](const ChunkGrid& g) {
+            return g.firstChunk > chunk;
+        });
+        return *(after - 1);
+    }
+    Window texels(int chunk) const { return levelOf(chunk).texels(chunk); }
+
+    std::size_t planeRowBytes(int chunk) const {
+        return std::size_t(texels(chunk).width) * bytesPerSample(storage.sampleType);
     }
 
     SpectralHeader header;
     StorageOptions storage;
     OutputFile file;
+    std::vector<ChunkGrid> levels;
     ExrContext context;
 };
 
@@ -51,23 +62,25 @@ int SpectralWriter::channelCount() const {
     return kColorChannels + (implementation_->header.alpha ? 1 : 0);
 }
 
+const std::vector<ChunkGrid>& SpectralWriter::levels() const {
+    return implementation_->levels;
+}
+
 int SpectralWriter::chunkCount() const {
-    const int rows = rowsPerChunk(implementation_->storage.compression);
-    return (implementation_->header.data.height + rows - 1) / rows;
+    return levels().back().firstChunk + levels().back().count();
 }
 
 int SpectralWriter::chunkFirstRow(int chunk) const {
-    return chunk * rowsPerChunk(implementation_->storage.compression);
+    return implementation_->texels(chunk).y;
 }
 
 int SpectralWriter::chunkRows(int chunk) const {
-    return std::min(rowsPerChunk(implementation_->storage.compression),
-                    implementation_->header.data.height - chunkFirstRow(chunk));
+    return implementation_->texels(chunk).height;
 }
 
 std::size_t SpectralWriter::chunkBytes(int chunk) const {
     return std::size_t(chunkRows(chunk)) * std::size_t(channelCount()) *
-           implementation_->planeRowBytes();
+           implementation_->planeRowBytes(chunk);
 }
 
 std::vector<std::byte> SpectralWriter::pack(int chunk, std::span<const std::byte> samples) const {
@@ -76,9 +89,9 @@ std::vector<std::byte> SpectralWriter::pack(int chunk, std::span<const std::byte
     switch (i.storage.compression) {
         case Compression::zip:
         case Compression::zips:
-            return packZip(samples, i.planeRowBytes(), i.storage.level);
+            return packZip(samples, i.planeRowBytes(chunk), i.storage.level);
         case Compression::piz:
-            return packPiz(i.context, i.header.data.y + chunkFirstRow(chunk), samples);
+            return packPiz(i.context, i.levelOf(chunk), chunk, samples);
         case Compression::none:
             break;
     }
@@ -86,10 +99,7 @@ std::vector<std::byte> SpectralWriter::pack(int chunk, std::span<const std::byte
 }
 
 void SpectralWriter::write(int chunk, std::span<const std::byte> packed) {
-    const ExrContext& context = implementation_->context;
-    context.check(exr_write_scanline_chunk(context.get(), 0,
-                                           implementation_->header.data.y + chunkFirstRow(chunk),
-                                           packed.data(), packed.size()));
+    implementation_->context.writeChunk(implementation_->levelOf(chunk), chunk, packed);
 }
 
 void SpectralWriter::commit() {

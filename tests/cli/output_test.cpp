@@ -65,12 +65,26 @@ TEST_CASE("an older output survives a signal and a failed bake") {
 TEST_CASE("an output that cannot be is refused") {
     const Scratch scratch;
     const std::string image = testImage("1x1.png");
-    checkRefused({"bake", image, "-o", "/dev/null"}, 1, "/dev/null: not a regular file");
-    checkRefused({"bake", image, "-o", scratch.path("")}, 1, "not a regular file");
+    fs::create_symlink("/dev/null", scratch.path("null.exr"));
+    fs::create_directory(scratch.path("folder.exr"));
+    checkRefused({"bake", image, "-o", scratch.path("null.exr")}, 1, "not a regular file");
+    checkRefused({"bake", image, "-o", scratch.path("folder.exr")}, 1, "not a regular file");
     checkRefused({"bake", image, "-o", scratch.path("absent/o.exr")}, 1, "absent/o.exr: No such");
     checkRefused({"bake", image, "-o", "/proc/o.exr"}, 1, "/proc/o.exr: ");  // for root, too
     CHECK(fs::is_character_file("/dev/null"));
+    CHECK(scratch.names() == Names{"folder.exr", "null.exr"});
+}
+
+TEST_CASE("an output that is no .exr by its name is refused") {
+    const Scratch scratch;
+    const std::string image = testImage("1x1.png");
+    for (const char* name : {"o.png", "o", "exr", ".exr", "o.exr.tif", "o.exr~", "folder.exr/"}) {
+        checkRefused({"bake", image, "-o", scratch.path(name)}, 2, "must end in .exr");
+    }
+    checkRefused({"bake", image, "-o", "/dev/null"}, 2, "/dev/null: a spectral image is an EXR");
     CHECK(scratch.names().empty());
+    CHECK(runTool({"bake", image, "-o", scratch.path("o.EXR")}).exitCode == 0);
+    CHECK(scratch.names() == Names{"o.EXR"});
 }
 
 TEST_CASE("the output must not be the input, by whatever name") {
@@ -147,6 +161,11 @@ TEST_CASE("wrong commands return 2, and help 0") {
     checkRefused({"bake", "in.png", "-o", "o.exr", "--grid", "1"}, 2, "--grid");
     checkRefused({"bake", "in.png", "-o", "o.exr", "--compression", "dwaa"}, 2, "--compression");
     checkRefused({"bake", "in.png", "-o", "o.exr", "--compression", "piz:3"}, 2, "piz:3");
+    for (const char* side : {"0", "-16", "1025", "99999999999", "big", "1.5"}) {
+        checkRefused({"bake", "in.png", "-o", "o.exr", "--tile", "16", side}, 2, "--tile");
+        checkRefused({"bake", "in.png", "-o", "o.exr", "--tile", side, "16"}, 2, "--tile");
+    }
+    checkRefused({"bake", "in.png", "-o", "o.exr", "--tile", "16"}, 2, "--tile");
     for (const char* command : {"bake", "inspect", "relight", "verify"}) {
         const Outcome help = runTool({command, "--help"});
         CHECK(help.exitCode == 0);

@@ -4,14 +4,15 @@
 
 namespace specbake::testing {
 
-ReadBack::ReadBack(const std::string& path) {
+ReadBack::ReadBack(const std::string& path, int mipLevel) {
     OIIO::ImageSpec wishes;
     wishes["oiio:UnassociatedAlpha"] = 1;
     auto in = OIIO::ImageInput::open(path, &wishes);
     if (!in) throw std::runtime_error(path + ": " + OIIO::geterror());
+    if (!in->seek_subimage(0, mipLevel)) throw std::runtime_error(path + ": no such level");
     spec = in->spec();
     samples.resize(spec.image_pixels() * std::size_t(spec.nchannels));
-    if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, samples.data())) {
+    if (!in->read_image(0, mipLevel, 0, spec.nchannels, OIIO::TypeFloat, samples.data())) {
         throw std::runtime_error(path + ": " + in->geterror());
     }
 }

@@ -15,7 +15,7 @@ struct ReadBack {
 
     /// Throws std::runtime_error where it cannot be read. Colours are not multiplied by alpha
     /// unless the file holds them so.
-    explicit ReadBack(const std::string& path);
+    explicit ReadBack(const std::string& path, int mipLevel = 0);
 
     /// A channel by its name, at a texel counted from the data window's corner.
     float at(int x, int y, const std::string& channel) const;

@@ -1,3 +1,4 @@
+#include <specbake/core/error.h>
 #include <specbake/image/spectral_writer.h>
 
 #include <Imath/half.h>
@@ -5,6 +6,7 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfTiledInputFile.h>
 #include <OpenImageIO/imageio.h>
 #include <doctest/doctest.h>
 #include <unistd.h>
@@ -19,6 +21,7 @@ using namespace specbake;
 namespace {
 
 /// A file of samples that look like a spectral texture's: a few colours, smooth along the planes.
+/// Each of its levels holds the corner of the one image.
 class PackedFile {
   public:
     PackedFile(const Window& window, const StorageOptions& storage, bool alpha)
@@ -34,10 +37,12 @@ class PackedFile {
         header.data = header.display = window;
         header.alpha = alpha;
         SpectralWriter writer(path_, header, storage);
-        std::span<const std::byte> left = bytes_;
-        for (int chunk = 0; chunk < writer.chunkCount(); ++chunk) {
-            writer.write(chunk, writer.pack(chunk, left.first(writer.chunkBytes(chunk))));
-            left = left.subspan(writer.chunkBytes(chunk));
+        const std::vector<ChunkGrid>& levels = writer.levels();
+        for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
+            for (int i = 0; i < level->count(); ++i) {
+                const int chunk = level->firstChunk + i;
+                writer.write(chunk, writer.pack(chunk, samplesOf(level->texels(chunk))));
+            }
         }
         writer.commit();
     }
@@ -67,6 +72,18 @@ class PackedFile {
                 }
             }
         }
+    }
+    /// A rectangle's samples: row by row, channel by channel.
+    std::vector<std::byte> samplesOf(const Window& texels) const {
+        std::vector<std::byte> samples;
+        for (int row = 0; row < texels.height; ++row) {
+            for (std::size_t c = 0; c < names_.size(); ++c) {
+                const auto* first = sample(std::size_t(texels.y + row), c, std::size_t(texels.x));
+                const std::size_t bytes = std::size_t(texels.width) * sampleBytes_;
+                samples.insert(samples.end(), first, first + bytes);
+            }
+        }
+        return samples;
     }
     void store(float value, std::byte* to) const {
         const Imath::half narrow = value;
@@ -126,6 +143,34 @@ int differencesByOpenImageIO(const PackedFile& file, const Window& window) {
     return differences;
 }
 
+/// One level as OpenEXR's C++ classes read it from the tiles: differing samples.
+int differencesInLevel(Imf::TiledInputFile& input, const PackedFile& file, int level) {
+    const Imath::Box2i box = input.dataWindowForLevel(level);
+    const auto width = std::size_t(input.levelWidth(level));
+    const auto height = std::size_t(input.levelHeight(level));
+    const std::size_t bytes = file.sampleBytes();
+    const std::size_t row = width * bytes;
+    const std::size_t plane = row * height;
+    std::vector<char> planes(plane * file.names().size());
+    Imf::FrameBuffer frame;
+    for (std::size_t c = 0; c < file.names().size(); ++c) {
+        char* base = planes.data() + c * plane - std::ptrdiff_t(box.min.y) * std::ptrdiff_t(row) -
+                     std::ptrdiff_t(box.min.x) * std::ptrdiff_t(bytes);
+        frame.insert(file.names()[c].c_str(),
+                     Imf::Slice(bytes == 2 ? Imf::HALF : Imf::FLOAT, base, bytes, row));
+    }
+    input.setFrameBuffer(frame);
+    input.readTiles(0, input.numXTiles(level) - 1, 0, input.numYTiles(level) - 1, level);
+    int differences = 0;
+    for (std::size_t c = 0; c < file.names().size(); ++c) {
+        for (std::size_t y = 0; y < height; ++y) {
+            const char* read = &planes[c * plane + y * row];
+            differences += std::memcmp(read, file.sample(y, c, 0), row) != 0;
+        }
+    }
+    return differences;
+}
+
 struct Packing {
     Compression compression;
     int level;
@@ -154,6 +199,48 @@ TEST_CASE("OpenEXR and OpenImageIO read every packing back, bit for bit") {
             }
         }
     }
+}
+
+TEST_CASE("tiles of every level are read back, bit for bit") {
+    const std::vector<std::pair<Window, TileSize>> cuts = {{{0, 0, 1, 1}, {64, 64}},
+                                                           {{-3, 5, 37, 33}, {16, 8}},
+                                                           {{2, -7, 129, 19}, {17, 5}},
+                                                           {{0, 0, 2, 30}, {1, 3}}};
+    for (const auto& [window, tile] : cuts) {
+        for (const Compression compression :
+             {Compression::none, Compression::zip, Compression::zips, Compression::piz}) {
+            for (const bool mipmap : {false, true}) {
+                const auto type = tile.width % 2 == 0 ? SampleType::half : SampleType::float32;
+                const StorageOptions storage{type, compression, 3, tile, mipmap};
+                const PackedFile file(window, storage, window.width % 2 == 0);
+                CAPTURE(window.width);
+                CAPTURE(int(compression));
+                CAPTURE(mipmap);
+                CHECK(differencesByOpenEXR(file, window) == 0);
+                CHECK(differencesByOpenImageIO(file, window) == 0);
+                Imf::TiledInputFile input(file.path().c_str());
+                const double largest = std::max(window.width, window.height);
+                REQUIRE(input.numLevels() == (mipmap ? 1 + int(std::log2(largest)) : 1));
+                CHECK(int(input.tileXSize()) == tile.width);
+                CHECK(int(input.tileYSize()) == tile.height);
+                for (int level = 0; level < input.numLevels(); ++level) {
+                    CHECK(differencesInLevel(input, file, level) == 0);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("impossible tiles are refused") {
+    for (const TileSize& tile : {TileSize{0, 8}, {8, -1}, {1025, 8}, {8, 1 << 30}}) {
+        const StorageOptions storage{SampleType::half, Compression::zip, 3, tile};
+        CHECK_THROWS_AS(PackedFile({0, 0, 4, 4}, storage, false), ArgumentError);
+    }
+    // 4/3 of 2³⁰ tiles can be numbered by 31 bits, 2³¹ cannot.
+    StorageOptions storage{SampleType::half, Compression::zip, 3, TileSize{4, 4}, true};
+    CHECK(chunkGrids(kLargestSide, kLargestSide, storage).size() == 18);
+    storage.tile = TileSize{2, 4};
+    CHECK_THROWS_AS(chunkGrids(kLargestSide, kLargestSide, storage), ArgumentError);
 }
 
 TEST_CASE("rows longer than deflate's window are packed and read back") {

@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
@@ -36,6 +37,8 @@ struct Arguments {
     int bits = 10;
     std::optional<double> maxDeviation;
     std::optional<double> maxDE;
+    std::vector<int> tile;  ///< none, or width and height
+    bool mipmap = false;
     int threads = 0;
     std::string statsFile;
     bool update = false;
@@ -77,6 +80,8 @@ BakeOptions optionsOf(const Arguments& a, const std::stop_token& stop, ProgressB
     options.threads = a.threads;
     options.storage.sampleType = a.sampleType == "half" ? SampleType::half : SampleType::float32;
     parseCompression(a.compression, options.storage);
+    if (!a.tile.empty()) options.storage.tile = TileSize{a.tile.at(0), a.tile.at(1)};
+    options.storage.mipmap = a.mipmap;
     options.stop = stop;
     options.progress = [&bar](double done) { bar.show(done); };
     return options;
@@ -138,14 +143,24 @@ void report(const BakeStatistics& s, const Arguments& a) {
     }
 }
 
-ExitCode bakeCommand(const Arguments& a) {
-    if (a.update && isUpToDate(a)) {
-        if (a.verbose) std::printf("%s is up to date\n", a.output.c_str());
-        return kDone;
-    }
+void checkOutput(const Arguments& a) {
     std::error_code missing;
     if (fs::equivalent(a.input, a.output, missing)) {
         throw ArgumentError(a.output + ": the output is the input");
+    }
+    std::string extension = fs::path(a.output).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    if (extension != ".exr") {
+        throw ArgumentError(a.output + ": a spectral image is an EXR; its name must end in .exr");
+    }
+}
+
+ExitCode bakeCommand(const Arguments& a) {
+    checkOutput(a);
+    if (a.update && isUpToDate(a)) {
+        if (a.verbose) std::printf("%s is up to date\n", a.output.c_str());
+        return kDone;
     }
     StopSignals signals;
     try {
@@ -215,6 +230,12 @@ Command addBake(CLI::App& program) {
         ->add_option("--compression", a->compression,
                      "none, zip[:LEVEL], zips[:LEVEL] or piz; levels 1-3 fast, 4-12 small")
         ->capture_default_str();
+    command->add_option("--tile", a->tile, "store tiles of this size instead of scan lines")
+        ->expected(2)
+        ->check(CLI::Range(1, TileSize::kLargestSide))
+        ->type_name("W H");
+    command->add_flag("--mipmap", a->mipmap,
+                      "store all mip levels, averages of spectra; tiles of 64 x 64 unless --tile");
     command->add_option("-j,--threads", a->threads, "threads, 0 for all cores")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();

@@ -73,6 +73,7 @@ Json factsJson(const SpectralReader& reader, const BandStatistics& s) {
             {"sample_type", facts.sampleType},
             {"compression", facts.compression},
             {"tile", tile},
+            {"mip_levels", facts.levels},
             {"bands", {{"count", kBandCount}, {"first_nm", 380}, {"step_nm", 5}}},
             {"reflectance",
              {{"min", least(s)},
@@ -89,6 +90,7 @@ void printFacts(const std::string& path, const SpectralReader& reader, const Ban
     std::printf("%s: %d x %d texels, %d channels of %s, compression %s", path.c_str(), data.width,
                 data.height, facts.channels, facts.sampleType.c_str(), facts.compression.c_str());
     if (facts.tileWidth > 0) std::printf(", tiles %d x %d", facts.tileWidth, facts.tileHeight);
+    if (facts.levels > 1) std::printf(", %d mip levels", facts.levels);
     std::printf("\nbands: %d, %d to %d nm every %d nm%s\n", kBandCount, kFirstWavelength,
                 wavelength(kBandCount - 1), kWavelengthStep,
                 reader.header().alpha ? "; alpha" : "");

@@ -28,18 +28,31 @@ inline constexpr int kColorChannels = kPreviewChannels + kBandCount;
 
 enum class Compression { none, zip, zips, piz };
 
+/// The size of a file's tiles.
+struct TileSize {
+    int width = 64;
+    int height = 64;
+
+    static constexpr int kLargestSide = 1024;
+};
+
 /// How pixels are stored.
 struct StorageOptions {
     SampleType sampleType = SampleType::half;  ///< half or float32, of every channel
     Compression compression = Compression::zip;
     int level = kFastestSmall;  ///< of zip and zips
+    /// None: scan lines, or with `mipmap` tiles of the usual size.
+    std::optional<TileSize> tile = std::nullopt;
+    bool mipmap = false;  ///< all levels down to one texel, not the first alone
+
+    bool isTiled() const { return tile.has_value() || mipmap; }
 
     /// Levels 1 to 3 are our own encoder's (fast), 4 to 12 libdeflate's (small).
     static constexpr int kFastestSmall = 3;
     static constexpr int kHighestLevel = 12;
 };
 
-/// Rows that OpenEXR compresses as one chunk.
+/// Rows that OpenEXR compresses as one chunk of scan lines.
 constexpr int rowsPerChunk(Compression compression) {
     return compression == Compression::zip ? 16 : compression == Compression::piz ? 32 : 1;
 }

@@ -19,6 +19,7 @@ struct StorageFacts {
     std::string compression;  ///< "zip", …
     int tileWidth = 0;        ///< 0: scan lines
     int tileHeight = 0;
+    int levels = 1;  ///< of a mipmap; the first is the one that is read
     std::vector<std::pair<std::string, std::string>> attributes;  ///< each value as text
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <specbake/image/spectral_layout.h>
+#include <specbake/image/chunk_grid.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -10,8 +10,9 @@
 
 namespace specbake {
 
-/// Writes one spectral EXR by chunks of rows. Packing (the compression) is apart from writing, so
-/// that a caller packs chunks in parallel and writes them in order; nothing is held of the image.
+/// Writes one spectral EXR by chunks: runs of rows, or tiles of one or more levels. Packing (the
+/// compression) is apart from writing, so that a caller packs chunks in parallel and writes them in
+/// order; nothing is held of the image.
 ///
 ///     SpectralWriter writer(path, header, storage);
 ///     for (int chunk = 0; chunk < writer.chunkCount(); ++chunk)
@@ -29,8 +30,9 @@ class SpectralWriter {
     SpectralWriter& operator=(const SpectralWriter&) = delete;
 
     int channelCount() const;
-    int chunkCount() const;
-    int chunkFirstRow(int chunk) const;  ///< counted from 0
+    int chunkCount() const;                        ///< of all levels
+    const std::vector<ChunkGrid>& levels() const;  ///< the image itself first
+    int chunkFirstRow(int chunk) const;            ///< in its level, counted from 0
     int chunkRows(int chunk) const;
     std::size_t chunkBytes(int chunk) const;  ///< of its samples
 
@@ -39,7 +41,8 @@ class SpectralWriter {
     /// threads may pack at once. Throws FileError.
     std::vector<std::byte> pack(int chunk, std::span<const std::byte> samples) const;
 
-    /// Appends a packed chunk. Chunks go in order, from one thread at a time. Throws FileError.
+    /// Appends a packed chunk, from one thread at a time. The chunks of one level go in order,
+    /// those of several levels in any; all must come. Throws FileError.
     void write(int chunk, std::span<const std::byte> packed);
 
     /// Completes the file and puts it in its place. Throws FileError.
