@@ -150,10 +150,11 @@ TEST_CASE("Mallett & Yuksel: the primaries sum to the white, are bounded and hav
     for (int i = 0; i < 3; ++i) {
         const Spectrum& primary = method.basis()[std::size_t(i)];
         CHECK(boundsViolation(primary) < 1e-9);
-        // Their matrix is the standard's of four decimals; their white is the published D65.
-        CHECK(miss(method, method.frame().xyz(RGB(i == 0, i == 1, i == 2)), primary) < 5e-4);
+        // Their optimiser's tolerance again: this frame (D65 on this table, its own white) is the
+        // one that the spectra were made in.
+        CHECK(miss(method, method.frame().xyz(RGB(i == 0, i == 1, i == 2)), primary) < 2e-8);
     }
-    CHECK(worstMiss(method, 2000) < 3 * 5e-4);  // a mixture of three
+    CHECK(worstMiss(method, 2000) < 3 * 2e-8);  // a mixture of three
     checkTexelPath(method, 1);
 }
 

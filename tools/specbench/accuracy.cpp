@@ -13,8 +13,6 @@
 namespace specbake::bench {
 namespace {
 
-constexpr double kContinuityDistance = 1e-4;  // in RGB
-
 /// Writes as much as the methods do, and nothing else: what the memory allows.
 class WriteAlone : public Method {
   public:
@@ -33,7 +31,7 @@ std::vector<Light> lights(const Options& options) {
 }
 
 ColorSet colorsOf(const std::string& texturePath, const Frame& frame, std::size_t count) {
-    ColorSet set{std::filesystem::path(texturePath).filename().string(), {}};
+    ColorSet set{.name = std::filesystem::path(texturePath).filename().string(), .colors = {}};
     for (const Imath::V3f& c : distinctColors(readTexture(texturePath), count)) {
         set.colors.push_back(frame.xyz(RGB(c)));
     }
@@ -111,7 +109,7 @@ class Run {
         for (const ColorSet& set : sets) {
             addTask(method, set.name, [&method, set] {
                 Measures all = measureRoundTrip(method, set);
-                std::ranges::copy(measureContinuity(method, set, kContinuityDistance),
+                std::ranges::copy(measureContinuity(method, set),
                                   std::back_inserter(all));
                 return all;
             });

@@ -128,8 +128,8 @@ std::vector<double> continuity(const Method& method, const std::vector<XYZ>& col
     return ratios;
 }
 
-std::vector<Measure> measureContinuity(const Method& method, const ColorSet& set, double distance) {
-    const auto ratios = continuity(method, set.colors, distance);
+std::vector<Measure> measureContinuity(const Method& method, const ColorSet& set) {
+    const auto ratios = continuity(method, set.colors, set.neighbour);
     const char* unit = "reflectance per RGB";
     return {{"continuity median", median(ratios), unit},
             {"continuity p99.9", quantile(ratios, 0.999), unit},

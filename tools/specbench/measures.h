@@ -41,7 +41,7 @@ std::vector<Measure> measureRoundTrip(const Method& method, const ColorSet& set)
 std::vector<double> continuity(const Method& method, const std::vector<XYZ>& colors,
                                double distance);
 /// Median, 99.9 % and largest of these over a set.
-std::vector<Measure> measureContinuity(const Method& method, const ColorSet& set, double distance);
+std::vector<Measure> measureContinuity(const Method& method, const ColorSet& set);
 
 /// A light as a set of weights: an observer, or one of a table that specbake does not offer.
 struct Light {

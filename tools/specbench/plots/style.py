@@ -2,6 +2,7 @@
 
 import csv
 import math
+import re
 
 import matplotlib
 
@@ -84,6 +85,10 @@ def value(rows, method, quantity, sets=None, pick=max):
     return pick(found) if found else math.nan
 
 
+def name_of(method):
+    return f"{method[0]}, {method[1]}" if method[1] else method[0]
+
+
 def methods_of(rows):
     """(family, parameters) in the order in which they were measured."""
     return list(dict.fromkeys((row["family"], row["parameters"]) for row in rows))
@@ -94,6 +99,7 @@ def save(figure, path, title):
                    metadata={"Date": None, "Title": title})
     plt.close(figure)
     text = path.read_text(encoding="utf-8").replace(INK, "currentColor")
+    text = re.sub(r"(-?\d+\.\d\d)\d+", r"\1", text)  # a hundredth of a point is enough
     start = text.index("<metadata>")
     path.write_text(text[:start] + STYLE + "\n " + text[start:], encoding="utf-8")
     print(path)
