@@ -47,24 +47,26 @@ class Run {
           charts_(readCharts(options)),
           lights_(lights(options)) {}
 
-    /// One thread, and nothing beside it.
-    void measureSpeed() {
+    /// One thread, and nothing beside it; likewise measureThroughput().
+    void setUp() {
         Progress progress("set-up", methods_.size());
         for (const auto& method : methods_) {
             progress.next(method->name().full());
             const double seconds = secondsOf([&] { method->setUp(); });
             figures_.add({"", method->name(), "set-up", seconds, "s", {}, ""});
         }
+    }
+
+    void measureThroughput() {
         const WriteAlone limit;
         std::vector<const Method*> all{&limit};
         for (const auto& method : methods_) all.push_back(method.get());
-        Progress throughputProgress("throughput", 1);
-        throughputProgress.next("all methods in turn");
+        Progress progress("throughput", 1);
+        progress.next("all methods in turn");
         const auto runTime = std::chrono::duration<double>(options_.full ? 0.5 : 0.15);
         const auto rates = throughput(all, options_.full ? 15 : 7, runTime);
         for (std::size_t i = 0; i < all.size(); ++i) {
-            figures_.add(
-                {"RGB cube", all[i]->name(), "throughput", rates[i], "texel/s", {}, ""});
+            figures_.add({"RGB cube", all[i]->name(), "throughput", rates[i], "texel/s", {}, ""});
         }
     }
 
@@ -83,23 +85,22 @@ class Run {
     using Measures = std::vector<Measure>;
 
     void addTask(const Method& method, const std::string& set, std::function<Measures()> measure) {
-        tasks_.push_back({method.name().full() + ": " + set,
-                          [name = method.name(), set, measure = std::move(measure)] {
-                              std::vector<Figure> figures;
-                              for (const Measure& m : measure()) {
-                                  figures.push_back(
-                                      {set, name, m.quantity, m.value, m.unit, {}, ""});
-                              }
-                              return figures;
-                          }});
+        tasks_.push_back(
+            {method.name().full() + ": " + set,
+             [name = method.name(), set, measure = std::move(measure)] {
+                 std::vector<Figure> figures;
+                 for (const Measure& m : measure()) {
+                     figures.push_back({set, name, m.quantity, m.value, m.unit, {}, ""});
+                 }
+                 return figures;
+             }});
     }
 
     void addTasks(const Method& method) {
         if (!method.cubeOnly()) {
             const Solid solid(method.frame().observer);
             for (ColorSet& set : solidSets(method.frame(), solid, options_.solidColors())) {
-                addTask(method, set.name,
-                        [&method, set] { return measureRoundTrip(method, set); });
+                addTask(method, set.name, [&method, set] { return measureRoundTrip(method, set); });
             }
         }
         std::vector<ColorSet> sets = rgbSets(method.frame(), options_.colors());
@@ -109,14 +110,14 @@ class Run {
         for (const ColorSet& set : sets) {
             addTask(method, set.name, [&method, set] {
                 Measures all = measureRoundTrip(method, set);
-                std::ranges::copy(measureContinuity(method, set),
-                                  std::back_inserter(all));
+                std::ranges::copy(measureContinuity(method, set), std::back_inserter(all));
                 return all;
             });
         }
         for (const Chart& chart : charts_) {
-            addTask(method, chart.name,
-                    [this, &method, &chart] { return measureNature(method, chart.patches, lights_); });
+            addTask(method, chart.name, [this, &method, &chart] {
+                return measureNature(method, chart.patches, lights_);
+            });
         }
     }
 
@@ -132,7 +133,8 @@ class Run {
 
 void runAccuracy(const Options& options) {
     Run run(options);
-    run.measureSpeed();
+    run.setUp();
+    run.measureThroughput();
     run.measureAccuracy();
     run.write();
 }

@@ -38,8 +38,8 @@ Gathered gather(const Method& method, const ColorSet& set) {
         all.violation.push_back(v.violation);
         all.roughness.push_back(roughness(r.spectrum));
         all.outside += v.violation > 0;
-        all.samplesOutside += std::size_t(
-            std::ranges::count_if(r.spectrum, [](double s) { return s < 0 || s > 1; }));
+        all.samplesOutside +=
+            std::size_t(std::ranges::count_if(r.spectrum, [](double s) { return s < 0 || s > 1; }));
         all.failed += v.failed;
     }
     return all;
@@ -95,17 +95,17 @@ Verdict judge(const Method& method, const XYZ& color, const Reconstruction& resu
 std::vector<Measure> measureRoundTrip(const Method& method, const ColorSet& set) {
     const Gathered all = gather(method, set);
     const std::size_t n = set.colors.size();
-    return {{"residual max", largest(all.residual), "XYZ"},
-            {"residual RMS", rootMeanSquare(all.residual), "XYZ"},
-            {"round trip mean", mean(all.deltaE), "CIEDE2000"},
-            {"round trip p99", quantile(all.deltaE, 0.99), "CIEDE2000"},
-            {"round trip max", largest(all.deltaE), "CIEDE2000"},
-            {"out of bounds", share(all.outside, n), "share of colours"},
-            {"samples out of bounds", share(all.samplesOutside, n * kBandCount),
-             "share of samples"},
-            {"out of bounds by", largest(all.violation), "reflectance"},
-            {"failed", share(all.failed, n), "share of colours"},
-            {"roughness", mean(all.roughness), "reflectance per band²"}};
+    return {
+        {"residual max", largest(all.residual), "XYZ"},
+        {"residual RMS", rootMeanSquare(all.residual), "XYZ"},
+        {"round trip mean", mean(all.deltaE), "CIEDE2000"},
+        {"round trip p99", quantile(all.deltaE, 0.99), "CIEDE2000"},
+        {"round trip max", largest(all.deltaE), "CIEDE2000"},
+        {"out of bounds", share(all.outside, n), "share of colours"},
+        {"samples out of bounds", share(all.samplesOutside, n * kBandCount), "share of samples"},
+        {"out of bounds by", largest(all.violation), "reflectance"},
+        {"failed", share(all.failed, n), "share of colours"},
+        {"roughness", mean(all.roughness), "reflectance per band²"}};
 }
 
 std::vector<double> continuity(const Method& method, const std::vector<XYZ>& colors,

@@ -32,8 +32,8 @@ struct Measure {
     std::string unit;
 };
 
-/// Round trip, bounds (shares of colours and of their samples), failures and roughness over a set, of spectra rounded to float as textures
-/// hold them.
+/// Round trip, bounds (shares of colours and of their samples), failures and roughness over a set,
+/// of spectra rounded to float as textures hold them.
 std::vector<Measure> measureRoundTrip(const Method& method, const ColorSet& set);
 
 /// max_m |Δs_m| / max |ΔRGB| of each colour and a neighbour that differs by `distance` in each of

@@ -137,8 +137,7 @@ class Run {
         BakeStatistics statistics;
         std::vector<double> seconds;
         for (int run = 0; run < kBakes; ++run) {
-            seconds.push_back(
-                secondsOf([&] { statistics = bake(texture, file, bakeOptions); }));
+            seconds.push_back(secondsOf([&] { statistics = bake(texture, file, bakeOptions); }));
         }
         const double texels = double(statistics.texels);
         add({"bake", median(seconds), "s"});

@@ -120,8 +120,8 @@ std::vector<XYZ> colorsAtGauge(const Solid& solid, double gauge, std::size_t cou
 std::vector<ColorSet> solidSets(const Frame& frame, const Solid& solid, std::size_t count) {
     std::vector<ColorSet> sets{uniformInSolid(solid, count)};
     for (const double gauge : {0.9, 0.99, 0.999, 0.9999, 1.0}) {
-        sets.push_back({.name = fmt::format("gauge {}", gauge),
-                        .colors = colorsAtGauge(solid, gauge, count)});
+        sets.push_back(
+            {.name = fmt::format("gauge {}", gauge), .colors = colorsAtGauge(solid, gauge, count)});
     }
     sets.push_back(cubeInSolid("Rec.2020 cube", "lin_rec2020", frame, solid, count));
     sets.push_back(cubeInSolid("ACEScg cube", "acescg", frame, solid, count));

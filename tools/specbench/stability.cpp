@@ -33,8 +33,8 @@ std::vector<Figure> measureAt(const Method& method, const Solid& solid, double d
     // Neighbours must be inside as well: a tenth of the way to the boundary at most.
     const auto ratios = continuity(method, colors, std::min(1e-4, distance / 10));
     const auto figure = [&](const char* quantity, double value, const char* unit) {
-        return Figure{"towards the boundary", method.name(), quantity, value, unit,
-                      distance, "1 - gauge"};
+        return Figure{
+            "towards the boundary", method.name(), quantity, value, unit, distance, "1 - gauge"};
     };
     return {figure("failed", failed / double(colors.size()), "share of colours"),
             figure("residual p99", quantile(residuals, 0.99), "XYZ"),
@@ -74,9 +74,9 @@ const char* verdictOf(const Method& method, const XYZ& color) {
 std::string mapOf(const Method& method, const std::vector<MapPoint>& points) {
     std::string lines;
     for (const MapPoint& p : points) {
-        lines += fmt::format("{},{:.4f},{:.4f},\"{}\",\"{}\",{}\n", p.luminance, p.x, p.y,
-                             method.name().family, method.name().parameters,
-                             verdictOf(method, p.color));
+        lines +=
+            fmt::format("{},{:.4f},{:.4f},\"{}\",\"{}\",{}\n", p.luminance, p.x, p.y,
+                        method.name().family, method.name().parameters, verdictOf(method, p.color));
     }
     return lines;
 }

@@ -14,7 +14,8 @@ Texture readTexture(const std::string& path) {
     const TextureInfo& info = reader.info();
     const std::string& space = info.automaticSpace.name;
     if (space != "srgb" && space != "lin_rec709") {
-        throw FileError(path, "specbench takes textures of sRGB or linear Rec.709, this is " + space);
+        throw FileError(path,
+                        "specbench takes textures of sRGB or linear Rec.709, this is " + space);
     }
     Texture texture{path, info.data.width, info.data.height, {}};
     const auto width = std::size_t(texture.width);

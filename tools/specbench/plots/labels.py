@@ -22,6 +22,7 @@ PLACES = [
     (24, 48, "left", "bottom"),
     (24, -48, "left", "top"),
 ]
+MIRRORED = {"left": "right", "right": "left", "center": "center"}
 
 
 def _overlap(a, b):
@@ -44,9 +45,12 @@ def place(axes, points, others=()):
     frame = axes.get_window_extent(renderer)
     marks = [axes.transData.transform(p[:2]) for p in [*points, *others]]
     taken = [(mx - 5, my - 5, mx + 5, my + 5) for mx, my in marks]
-    for x, y, text, color in points:
+    for (x, y, text, color), (mx, _) in zip(points, marks):
         best = None
+        mirror = -1 if mx > frame.x0 + 0.55 * frame.width else 1  # towards the middle first
         for dx, dy, across, along in PLACES:
+            dx *= mirror
+            across = across if mirror > 0 else MIRRORED[across]
             far = abs(dx) + abs(dy) > 12
             annotation = axes.annotate(
                 text, (x, y), xytext=(dx, dy), textcoords="offset points", ha=across, va=along,
@@ -78,8 +82,8 @@ def column(axes, points):
     for y, (px, py, text, color) in zip(spread(heights, gap), points):
         axes.annotate(text, (px, py), xytext=(1.02, y), textcoords="axes fraction", va="center",
                       color=color, fontsize=8, annotation_clip=False,
-                      arrowprops={"arrowstyle": "-", "color": color, "lw": 0.5, "shrinkA": 0,
-                                  "shrinkB": 4})
+                      arrowprops={"arrowstyle": "-", "color": color, "lw": 0.5, "shrinkA": 2,
+                                  "shrinkB": 4, "relpos": (0, 0.5)})
 
 
 def spread(values, gap):

@@ -15,6 +15,7 @@ LIMIT = ("memset", "")
 # what has a neighbour of the same speed and spectra
 UNSHOWN = {("smooth", "Newton alone"), ("descent", "closed form, flat, grid 17"),
            ("descent", "straight, random, grid 17")}
+NODES_LABELLED = {"5", "17", "25", "33", "65"}  # those that stand apart
 EXACT = 2.0 ** -23  # |ΔXYZ| below which is the rounding of stored floats
 SPEED = "texels per second on one thread, 81 floats each (log)  →  faster"
 KEY = ("filled: for every colour that a surface can have.  half: for all of sRGB only.  "
@@ -87,11 +88,11 @@ def draw_exact(axes, points):
         axes.plot([p["x"] for p in line], [k] * len(line), lw=1, color=color_of(row[0]), alpha=0.6)
         for p in line:
             mark(axes, p, k)
-        if len(line) > 1:
-            for p in line:
-                axes.annotate(short(p["method"]).split("grid ")[-1], (p["x"], k), xytext=(0, 6),
-                              textcoords="offset points", ha="center", fontsize=7,
-                              color=color_of(row[0]))
+        for p in line:
+            nodes = p["method"][1].removeprefix("grid ")
+            if nodes in NODES_LABELLED:
+                axes.annotate(nodes, (p["x"], k), xytext=(0, 6), textcoords="offset points",
+                              ha="center", fontsize=7, color=color_of(row[0]))
         text = "smooth, grid of 5 to 65 nodes (default 17)" if len(line) > 1 else name_of(row)
         first = min(p["x"] for p in line)
         right = first < 3e5
@@ -116,8 +117,8 @@ def draw_round_trip(rows, path):
     above.set_ylabel("largest |ΔXYZ| (log; white has Y = 1)")
     above.set_title(title, loc="left", fontsize=10)
     draw_exact(below, [p for p in points if p["y"] < EXACT])
-    mark_limit(above, rows)
-    below.axvline(value(rows, LIMIT, "throughput"), color="#888888", lw=1, ls=":")
+    mark_limit(below, rows)
+    above.axvline(value(rows, LIMIT, "throughput"), color="#888888", lw=1, ls=":")
     for sound, dash in ((("full", "left"), "--"), (("full",), "-")):
         best = max((p for p in points if p["y"] < EXACT and p["sound"] in sound),
                    key=lambda p: p["x"])

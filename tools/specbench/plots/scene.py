@@ -11,19 +11,17 @@ MARKS = ["o", "^", "s", "D", "v", "X"]
 
 COLUMNS = ["nodes per axis", "mantissa bits"]
 DEFAULTS = {"nodes per axis": 17, "mantissa bits": 10}
-ROWS = [
-    (["deviation RMS"] * 2, "RMS deviation of the reflectance\nfrom the direct solution (log)"),
-    (["under A p99"] * 2, "99 % of colours within this\nCIEDE2000 under A (log)"),
-    (["bake, per texel"] * 2, "bake, processor time:\nµs per texel (log)"),
-    (["nodes, memory", "file"], None),
-]
-BYTES = {"nodes, memory": "nodes that the texture needs,\nbytes (log)",
-         "file": "file (half, ZIP),\nbytes per texel (log)"}
+DEVIATION = ("deviation RMS", "RMS deviation of the reflectance\nfrom the direct solution (log)")
+SEEN = ("under A p99", "99 % of colours within this\nCIEDE2000 under A (log)")
+TIME = ("bake, per texel", "bake, processor time:\nµs per texel")
+NODES = ("nodes, memory", "nodes that the texture needs:\nbytes (log)")
+FILE = ("file", "file (half, ZIP):\nbytes per texel")
+ROWS = [(DEVIATION, DEVIATION), (SEEN, SEEN), (TIME, TIME), (NODES, FILE)]
 
 
 def draw_panel(axes, rows, quantity, unit, ylabel):
     axes.set_xscale("log" if unit == COLUMNS[0] else "linear")
-    axes.set_yscale("log")
+    axes.set_yscale("log" if "(log)" in ylabel else "linear")
     axes.set_ylabel(ylabel)
     sets = list(dict.fromkeys(row["set"] for row in rows))
     found = [row for row in rows if row["quantity"] == quantity and row["at_unit"] == unit]
@@ -40,6 +38,8 @@ def draw_panel(axes, rows, quantity, unit, ylabel):
     axes.xaxis.set_major_locator(FixedLocator(ticks))
     axes.xaxis.set_minor_locator(NullLocator())
     axes.set_xticklabels([f"{t:g}" for t in ticks])
+    if axes.get_yscale() == "linear":
+        axes.set_ylim(0)
     labels.column(axes, ends)
 
 
@@ -47,9 +47,9 @@ def draw(path, folder):
     rows = read_rows(path)
     title = "What a scene needs: nodes of the grid, and bits of the stored halves (smooth, D65)"
     figure, grid = plt.subplots(len(ROWS), 2, figsize=(10.5, 12.5))
-    for line, (quantities, ylabel) in zip(grid, ROWS):
-        for axes, quantity, unit in zip(line, quantities, COLUMNS):
-            draw_panel(axes, rows, quantity, unit, ylabel or BYTES[quantity])
+    for line, quantities in zip(grid, ROWS):
+        for axes, (quantity, ylabel), unit in zip(line, quantities, COLUMNS):
+            draw_panel(axes, rows, quantity, unit, ylabel)
     for axes, unit in zip(grid[-1], COLUMNS):
         axes.set_xlabel(unit + (" (log)" if unit == COLUMNS[0] else ""))
     figure.text(0.08, 0.905, title + ".  Dashed: the default.", fontsize=10)
