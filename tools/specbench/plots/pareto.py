@@ -16,6 +16,7 @@ LIMIT = ("memset", "")
 UNSHOWN = {("smooth", "Newton alone"), ("descent", "closed form, flat, grid 17"),
            ("descent", "straight, random, grid 17")}
 NODES_LABELLED = {"5", "17", "25", "33", "65"}  # those that stand apart
+GRIDS = "smooth, grid of 5 to 65 nodes (default 17)"
 EXACT = 2.0 ** -23  # |ΔXYZ| below which is the rounding of stored floats
 SPEED = "texels per second on one thread, 81 floats each (log)  →  faster"
 KEY = ("filled: for every colour that a surface can have.  half: for all of sRGB only.  "
@@ -42,13 +43,6 @@ def front(points):
     return kept
 
 
-def short(method):
-    if method[0] == "smooth" and method[1].startswith("grid "):
-        nodes = method[1].removeprefix("grid ")
-        return f"smooth, grid {nodes} (default)" if nodes == "17" else nodes
-    return name_of(method)
-
-
 def collect(rows, error):
     points = []
     for method in methods_of(rows):
@@ -57,6 +51,10 @@ def collect(rows, error):
         points.append({"method": method, "x": value(rows, method, "throughput"),
                        "y": error(method), "sound": soundness(rows, method)})
     return points
+
+
+def label_of(p):
+    return p["x"], p["y"], name_of(p["method"]), color_of(p["method"][0])
 
 
 def mark(axes, p, y=None):
@@ -79,6 +77,15 @@ def row_of(method):
     return ("smooth", "grid") if method[0] == "smooth" and "grid" in method[1] else method
 
 
+def label_nodes(axes, points):
+    """points: (point, y)."""
+    for p, y in points:
+        nodes = p["method"][1].removeprefix("grid ")
+        if nodes in NODES_LABELLED:
+            axes.annotate(nodes, (p["x"], y), xytext=(0, 6), textcoords="offset points",
+                          ha="center", fontsize=7, color=color_of("smooth"))
+
+
 def draw_exact(axes, points):
     """A row a method: below the floats' rounding, only speed differs."""
     rows = list(dict.fromkeys(row_of(p["method"])
@@ -88,12 +95,9 @@ def draw_exact(axes, points):
         axes.plot([p["x"] for p in line], [k] * len(line), lw=1, color=color_of(row[0]), alpha=0.6)
         for p in line:
             mark(axes, p, k)
-        for p in line:
-            nodes = p["method"][1].removeprefix("grid ")
-            if nodes in NODES_LABELLED:
-                axes.annotate(nodes, (p["x"], k), xytext=(0, 6), textcoords="offset points",
-                              ha="center", fontsize=7, color=color_of(row[0]))
-        text = "smooth, grid of 5 to 65 nodes (default 17)" if len(line) > 1 else name_of(row)
+        if len(line) > 1:
+            label_nodes(axes, [(p, k) for p in line])
+        text = GRIDS if len(line) > 1 else name_of(row)
         first = min(p["x"] for p in line)
         right = first < 3e5
         axes.annotate(text, (first, k), xytext=(9 if right else -9, 0),
@@ -130,8 +134,7 @@ def draw_round_trip(rows, path):
                "half (dashed)", transform=below.transAxes, fontsize=8, va="top")
     above.set_xlim(6e3, 6e7)
     figure.subplots_adjust(hspace=0.06)
-    labels.place(above, [(p["x"], p["y"], short(p["method"]), color_of(p["method"][0]))
-                         for p in missing])
+    labels.place(above, [label_of(p) for p in missing])
     save(figure, path, title)
 
 
@@ -169,11 +172,13 @@ def draw_nature(rows, path):
     axes.text(0, -0.11, KEY + "lines: the Pareto fronts of the filled (solid), and of filled and "
               "half (dashed)", transform=axes.transAxes, fontsize=8, va="top")
     fast = [p for p in points if p["x"] > 1.9e7]
-    labels.column(axes, [(p["x"], p["y"], name_of(p["method"]), color_of(p["method"][0]))
-                         for p in fast])
-    labels.place(axes, [(p["x"], p["y"], short(p["method"]), color_of(p["method"][0]))
-                        for p in points if p not in fast],
-                 [(p["x"], p["y"]) for p in fast])
+    labels.column(axes, [label_of(p) for p in fast])
+    label_nodes(axes, [(p, p["y"]) for p in grid])
+    left = min(grid, key=lambda p: p["x"])
+    axes.annotate(GRIDS, (left["x"], left["y"]), xytext=(-4, 17), textcoords="offset points",
+                  fontsize=8, color=color_of("smooth"))
+    labels.place(axes, [label_of(p) for p in points if p not in fast and p not in grid],
+                 [(p["x"], p["y"]) for p in fast + grid])
     save(figure, path, title)
 
 
