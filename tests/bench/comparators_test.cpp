@@ -132,6 +132,8 @@ TEST_CASE("Smits: nearer to the colour under his own white than under D65") {
     Smits1999 ours(sRGBFrame(), kData + "smits1999.csv");
     his.setUp();
     ours.setUp();
+    CHECK(his.name().full() == "Smits 1999, his white");
+    CHECK(ours.name().full() == "Smits 1999");
     const double own = worstMiss(his, 2000), used = worstMiss(ours, 2000);
     // His spectra are printed to four decimals and his phosphors to two.
     CHECK(own < 5e-3);

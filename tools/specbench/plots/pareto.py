@@ -82,8 +82,10 @@ def label_nodes(axes, points):
     for p, y in points:
         nodes = p["method"][1].removeprefix("grid ")
         if nodes in NODES_LABELLED:
-            axes.annotate(nodes, (p["x"], y), xytext=(0, 6), textcoords="offset points",
-                          ha="center", fontsize=7, color=color_of("smooth"))
+            first = nodes == "5"  # others stand close above it
+            axes.annotate(nodes, (p["x"], y), xytext=(5, 4) if first else (0, 6),
+                          textcoords="offset points", ha="left" if first else "center",
+                          fontsize=7, color=color_of("smooth"))
 
 
 def draw_exact(axes, points):
@@ -175,8 +177,8 @@ def draw_nature(rows, path):
     labels.column(axes, [label_of(p) for p in fast])
     label_nodes(axes, [(p, p["y"]) for p in grid])
     left = min(grid, key=lambda p: p["x"])
-    axes.annotate(GRIDS, (left["x"], left["y"]), xytext=(-4, 17), textcoords="offset points",
-                  fontsize=8, color=color_of("smooth"))
+    axes.annotate(GRIDS, (left["x"], left["y"]), xytext=(14, 17), textcoords="offset points",
+                  ha="right", fontsize=8, color=color_of("smooth"))
     labels.place(axes, [label_of(p) for p in points if p not in fast and p not in grid],
                  [(p["x"], p["y"]) for p in fast + grid])
     save(figure, path, title)
