@@ -30,7 +30,7 @@ def draw(path, folder):
         for bound in (0, 1):
             axes.axhline(bound, lw=0.6, color="#888888")
         low, high = axes.get_ylim()
-        axes.set_ylim(max(low, -0.25), min(high, 1.25))
+        axes.set_ylim(max(low, -0.3), min(high, 1.25))
         axes.set_title(patch, loc="left", fontsize=9)
     for axes in grid[-1]:
         axes.set_xlabel("wavelength, nm")
