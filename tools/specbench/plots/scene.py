@@ -39,7 +39,7 @@ def draw_panel(axes, rows, quantity, unit, ylabel):
     axes.xaxis.set_minor_locator(NullLocator())
     axes.set_xticklabels([f"{t:g}" for t in ticks])
     if axes.get_yscale() == "linear":
-        axes.set_ylim(0)
+        axes.set_ylim(0, 1.08 * max(row["value"] for row in found))
     labels.column(axes, ends)
 
 
