@@ -70,12 +70,56 @@ TEST_CASE("a method failed where it misses the colour, leaves [0, 1], says so or
 TEST_CASE("round trip: shares are of colours") {
     const Stubborn method({constantSpectrum(0.5), true});
     const XYZ white = method.frame().observer.white();
-    const ColorSet set{"four", {XYZ(white * 0.5), XYZ(white * 0.5), XYZ(white * 0.5), white}};
+    const ColorSet set{.name = "four",
+                       .colors = {XYZ(white * 0.5), XYZ(white * 0.5), XYZ(white * 0.5), white}};
     const auto measures = measureRoundTrip(method, set);
     CHECK(named(measures, "failed") == 0.25);
     CHECK(named(measures, "out of bounds") == 0);
     CHECK(named(measures, "residual max") == doctest::Approx(0.5 * white.z));
     CHECK(named(measures, "roughness") == 0);
+}
+
+TEST_CASE("bounds: colours and samples are counted apart") {
+    Spectrum spikes = constantSpectrum(0.5);
+    spikes[0] = -0.25;
+    spikes[80] = 1.5;
+    const Stubborn method({spikes, true});
+    const XYZ color = method.frame().observer.color(spikes);
+    const auto measures = measureRoundTrip(method, {.name = "two", .colors = {color, color}});
+    CHECK(named(measures, "out of bounds") == 1);
+    CHECK(named(measures, "samples out of bounds") == doctest::Approx(2.0 / 81).epsilon(1e-14));
+    CHECK(named(measures, "out of bounds by") == 0.5);
+}
+
+TEST_CASE("continuity of a set is taken at the set's own distance") {
+    struct Step : Method {
+        Step() : Method({"step at Y = 1e-4", ""}, sRGBFrame()) {}
+        Reconstruction reconstruct(const XYZ& color) const override {
+            return {constantSpectrum(color.y > 1e-4 ? 1 : 0.5), true};
+        }
+    };
+    ColorSet black{.name = "black", .colors = {XYZ(0, 0, 0)}, .neighbour = 1e-6};
+    CHECK(named(measureContinuity(Step(), black), "continuity max") == 0);
+    black.neighbour = 1e-2;  // black's neighbour within the cube is (d, d, d), whose Y is d
+    CHECK(named(measureContinuity(Step(), black), "continuity max") ==
+          doctest::Approx(0.5 / 1e-2).epsilon(1e-12));
+}
+
+TEST_CASE("throughput: one figure a method, positive, and the slower method is found slower") {
+    struct Slow : Stubborn {
+        Slow() : Stubborn({constantSpectrum(0.5), true}) {}
+        Reconstruction reconstruct(const XYZ& color) const override {
+            Reconstruction r = Stubborn::reconstruct(color);
+            for (int i = 0; i < 100; ++i) r.spectrum[0] = std::cos(r.spectrum[0]);
+            return r;
+        }
+    };
+    const Stubborn quick({constantSpectrum(0.5), true});
+    const Slow slow;
+    const auto rates = throughput({&quick, &slow}, 3, std::chrono::duration<double>(0.01));
+    REQUIRE(rates.size() == 2);
+    CHECK(rates[1] > 0);
+    CHECK(rates[0] > rates[1]);
 }
 
 TEST_CASE("continuity of three primaries that sum to 1 is at most 1; of a constant it is 0") {

@@ -210,7 +210,7 @@ Command addBake(CLI::App& program) {
         ->add_option(
             "--max-deviation", a->maxDeviation,
             "instead of --grid: the coarsest grid whose spectra deviate by no more (RMS) from the "
-            "directly solved ones, on this texture's colours; the default grid is for about 0.0005")
+            "directly solved ones, on this texture's colours; the default grid is for about 0.001")
         ->check(CLI::PositiveNumber)
         ->excludes("--per-texel");
     command

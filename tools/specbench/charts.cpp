@@ -28,16 +28,21 @@ int run(const std::vector<std::string>& command) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+// Debian's own interpreter: it is the one that has python3-matplotlib.
+constexpr const char* kPython = "/usr/bin/python3";
+
 }  // namespace
 
 void runCharts(const Options& options) {
+    if (run({kPython, "-c", "import matplotlib"}) != 0) {  // not found out at the end
+        throw Error("the charts need Debian's python3-matplotlib");
+    }
     runSpectra(options);
-    runStability(options);
     runScene(options);
+    runStability(options);
     runAccuracy(options);
-    // Debian's own interpreter: it is the one that has python3-matplotlib.
-    if (run({"/usr/bin/python3", SPECBENCH_PLOT, options.out, options.charts}) != 0) {
-        throw Error("the charts were not drawn (they need Debian's python3-matplotlib)");
+    if (run({kPython, SPECBENCH_PLOT, options.out, options.charts}) != 0) {
+        throw Error("the charts were not drawn");
     }
 }
 

@@ -6,18 +6,23 @@
 
 namespace specbake::bench {
 
-/// What all commands share.
+/// What all commands share. The sizes are chosen so that `charts` takes minutes on two cores.
 struct Options {
-    std::string out = "bench";              ///< folder of the results
+    std::string out = "build/bench";        ///< folder of the results
     std::string data = SPECBENCH_DATA_DIR;  ///< folder of the tables
-    std::vector<std::string> reflectances;  ///< CSV files; none: the ColorChecker of `data`
-    std::vector<std::string> textures;      ///< images to take colours from
+    std::vector<std::string> reflectances;  ///< CSV files, beside the ColorChecker of `data`
+    std::vector<std::string> textures;      ///< sRGB images, beside the project's own
     std::string charts = "docs/charts";     ///< folder of the charts
     bool full = false;                      ///< more colours, longer runs
 
     std::size_t colors() const { return full ? 100'000 : 5'000; }
     /// Of the sets beyond the RGB cube, where some methods take a hundred times as long.
-    std::size_t solidColors() const { return full ? 5'000 : 200; }
+    std::size_t solidColors() const { return full ? 5'000 : 500; }
+
+    std::vector<std::string> allReflectances() const;
+    std::vector<std::string> allTextures() const;
+    /// The command line that measures the same again.
+    std::string commandLine(const std::string& command) const;
 };
 
 /// Speed and accuracy of every method and setting: accuracy.csv, accuracy.json.

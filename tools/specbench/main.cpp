@@ -26,8 +26,8 @@ void addCommand(CLI::App& app, const char* name, const char* help, Command comma
     sub->add_option("-o,--out", options.out, "folder of the results")->capture_default_str();
     sub->add_option("--data", options.data, "folder of the tables");
     sub->add_option("--reflectances", options.reflectances,
-                    "CSV files of measured reflectances: a name and 81 values a row");
-    sub->add_option("--textures", options.textures, "images to take colours from");
+                    "more measured reflectances, CSV: a name and 81 values a row");
+    sub->add_option("--textures", options.textures, "more textures, sRGB or linear Rec.709");
     sub->add_option("--charts", options.charts, "folder of the charts")->capture_default_str();
     sub->add_flag("--full", options.full, "more colours and longer runs");
     sub->callback([command, &chosen] { chosen = command; });

@@ -21,10 +21,10 @@ double share(std::size_t part, std::size_t all) {
     return all == 0 ? 0 : double(part) / double(all);
 }
 
-/// Seven quantities of every colour of a set, gathered.
+/// What is measured of every colour of a set, gathered.
 struct Gathered {
     std::vector<double> residual, deltaE, violation, roughness;
-    std::size_t outside = 0, failed = 0;
+    std::size_t outside = 0, samplesOutside = 0, failed = 0;
 };
 
 Gathered gather(const Method& method, const ColorSet& set) {
@@ -38,10 +38,44 @@ Gathered gather(const Method& method, const ColorSet& set) {
         all.violation.push_back(v.violation);
         all.roughness.push_back(roughness(r.spectrum));
         all.outside += v.violation > 0;
+        all.samplesOutside +=
+            std::size_t(std::ranges::count_if(r.spectrum, [](double s) { return s < 0 || s > 1; }));
         all.failed += v.failed;
     }
     return all;
 }
+
+/// Texels to go through, and room for their spectra.
+class Racetrack {
+  public:
+    Racetrack() : texels_(kTexels), spectra_(kTexels * kBandCount) {
+        std::mt19937_64 random(22);
+        const auto unit = [&] { return float(random() >> 40) * 0x1p-24F; };
+        for (Imath::V3f& t : texels_) t = {unit(), unit(), unit()};
+    }
+
+    double secondsFor(const Method& method, std::size_t count) {
+        return secondsOf([&] {
+            for (std::size_t done = 0; done < count; done += kTexels) {
+                const std::size_t part = std::min(kTexels, count - done);
+                method.reconstructTexels({texels_.data(), part},
+                                         {spectra_.data(), part * kBandCount});
+            }
+        });
+    }
+
+    /// How many texels the method does in about this time.
+    std::size_t texelsIn(const Method& method, std::chrono::duration<double> time) {
+        std::size_t count = 64;
+        while (secondsFor(method, count) < 0.25 * time.count()) count *= 2;
+        return 4 * count;
+    }
+
+  private:
+    static constexpr std::size_t kTexels = 1 << 18;  // 85 MB of floats: more than caches hold
+    std::vector<Imath::V3f> texels_;
+    std::vector<float> spectra_;
+};
 
 }  // namespace
 
@@ -61,15 +95,17 @@ Verdict judge(const Method& method, const XYZ& color, const Reconstruction& resu
 std::vector<Measure> measureRoundTrip(const Method& method, const ColorSet& set) {
     const Gathered all = gather(method, set);
     const std::size_t n = set.colors.size();
-    return {{"residual max", largest(all.residual), "XYZ"},
-            {"residual RMS", rootMeanSquare(all.residual), "XYZ"},
-            {"round trip mean", mean(all.deltaE), "CIEDE2000"},
-            {"round trip p99", quantile(all.deltaE, 0.99), "CIEDE2000"},
-            {"round trip max", largest(all.deltaE), "CIEDE2000"},
-            {"out of bounds", share(all.outside, n), "share of colours"},
-            {"out of bounds by", largest(all.violation), "reflectance"},
-            {"failed", share(all.failed, n), "share of colours"},
-            {"roughness", mean(all.roughness), "reflectance per band²"}};
+    return {
+        {"residual max", largest(all.residual), "XYZ"},
+        {"residual RMS", rootMeanSquare(all.residual), "XYZ"},
+        {"round trip mean", mean(all.deltaE), "CIEDE2000"},
+        {"round trip p99", quantile(all.deltaE, 0.99), "CIEDE2000"},
+        {"round trip max", largest(all.deltaE), "CIEDE2000"},
+        {"out of bounds", share(all.outside, n), "share of colours"},
+        {"samples out of bounds", share(all.samplesOutside, n * kBandCount), "share of samples"},
+        {"out of bounds by", largest(all.violation), "reflectance"},
+        {"failed", share(all.failed, n), "share of colours"},
+        {"roughness", mean(all.roughness), "reflectance per band²"}};
 }
 
 std::vector<double> continuity(const Method& method, const std::vector<XYZ>& colors,
@@ -90,6 +126,14 @@ std::vector<double> continuity(const Method& method, const std::vector<XYZ>& col
         ratios.push_back(maxDifference(here, there) / distance);
     }
     return ratios;
+}
+
+std::vector<Measure> measureContinuity(const Method& method, const ColorSet& set) {
+    const auto ratios = continuity(method, set.colors, set.neighbour);
+    const char* unit = "reflectance per RGB";
+    return {{"continuity median", median(ratios), unit},
+            {"continuity p99.9", quantile(ratios, 0.999), unit},
+            {"continuity max", largest(ratios), unit}};
 }
 
 XYZ Light::color(const Spectrum& s) const {
@@ -146,29 +190,20 @@ double secondsOf(const std::function<void()>& work) {
     return double(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-double throughput(const Method& method, int runs, std::chrono::duration<double> runTime) {
-    constexpr std::size_t most = 1 << 16;  // 21 MB of floats: beyond the second-level cache
-    std::mt19937_64 random(22);
-    const auto unit = [&] { return float(random() >> 40) * 0x1p-24F; };
-    std::vector<Imath::V3f> texels(most);
-    for (Imath::V3f& t : texels) t = {unit(), unit(), unit()};
-    std::vector<float> spectra(most * kBandCount);
-
-    const auto secondsFor = [&](std::size_t count) {
-        return secondsOf([&] {
-            for (std::size_t done = 0; done < count; done += most) {
-                const std::size_t part = std::min(most, count - done);
-                method.reconstructTexels({texels.data(), part},
-                                         {spectra.data(), part * kBandCount});
-            }
-        });
-    };
-    std::size_t count = 64;
-    while (secondsFor(count) < 0.25 * runTime.count()) count *= 2;
-    count *= 4;
-    std::vector<double> rates;
-    for (int i = 0; i < runs; ++i) rates.push_back(double(count) / secondsFor(count));
-    return median(rates);
+std::vector<double> throughput(const std::vector<const Method*>& methods, int runs,
+                               std::chrono::duration<double> runTime) {
+    Racetrack track;
+    std::vector<std::size_t> counts;
+    for (const Method* method : methods) counts.push_back(track.texelsIn(*method, runTime));
+    std::vector<std::vector<double>> rates(methods.size());
+    for (int run = 0; run < runs; ++run) {
+        for (std::size_t i = 0; i < methods.size(); ++i) {
+            rates[i].push_back(double(counts[i]) / track.secondsFor(*methods[i], counts[i]));
+        }
+    }
+    std::vector<double> medians;
+    for (std::vector<double>& of : rates) medians.push_back(median(std::move(of)));
+    return medians;
 }
 
 }  // namespace specbake::bench

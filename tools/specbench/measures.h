@@ -32,14 +32,16 @@ struct Measure {
     std::string unit;
 };
 
-/// Round trip, bounds, failures and roughness over a set, of spectra rounded to float as textures
-/// hold them.
+/// Round trip, bounds (shares of colours and of their samples), failures and roughness over a set,
+/// of spectra rounded to float as textures hold them.
 std::vector<Measure> measureRoundTrip(const Method& method, const ColorSet& set);
 
 /// max_m |Δs_m| / max |ΔRGB| of each colour and a neighbour that differs by `distance` in each of
 /// R, G, B, in a seeded direction; inside the unit cube where the colour is.
 std::vector<double> continuity(const Method& method, const std::vector<XYZ>& colors,
                                double distance);
+/// Median, 99.9 % and largest of these over a set.
+std::vector<Measure> measureContinuity(const Method& method, const ColorSet& set);
 
 /// A light as a set of weights: an observer, or one of a table that specbake does not offer.
 struct Light {
@@ -58,9 +60,11 @@ Light readLight(const std::string& name, const std::string& path);
 std::vector<Measure> measureNature(const Method& method, const std::vector<NamedSpectrum>& measured,
                                    const std::vector<Light>& lights);
 
-/// Texels a second on one thread, 81 floats each, texels uniform in the RGB cube; the median of
-/// `runs` runs of about `runTime` each.
-double throughput(const Method& method, int runs, std::chrono::duration<double> runTime);
+/// Texels a second of each method on one thread, 81 floats a texel, texels uniform in the RGB cube:
+/// the median of `runs` runs of about `runTime` each. The methods take turns, so that what else the
+/// machine does meets all of them alike.
+std::vector<double> throughput(const std::vector<const Method*>& methods, int runs,
+                               std::chrono::duration<double> runTime);
 
 /// Seconds of processor time that `work` takes: what other programs use does not count.
 double secondsOf(const std::function<void()>& work);

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws docs/charts/*.svg from what specbench wrote: plot.py RESULTS CHARTS
+"""Draws docs/charts/*.svg from what specbench wrote, and methods.csv: plot.py RESULTS CHARTS
 
 One module a kind of chart, in plots/. A chart whose figures are absent is skipped, and that is said.
 """
@@ -12,7 +12,7 @@ sys.dont_write_bytecode = True
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 
-from plots import atlas, pareto, scene, spectra  # noqa: E402
+from plots import atlas, pareto, scene, spectra, summary  # noqa: E402
 
 
 def main():
@@ -22,6 +22,7 @@ def main():
     charts.mkdir(parents=True, exist_ok=True)
     drawings = [
         ("accuracy.csv", pareto.draw),
+        ("accuracy.csv", summary.write),
         ("stability.csv", atlas.draw_lines),
         ("map.csv", atlas.draw_map),
         ("scene.csv", scene.draw),

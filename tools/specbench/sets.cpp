@@ -29,7 +29,7 @@ RGB uniformRGB(Generator& random, double low, double high) {
 ColorSet drawn(std::string name, const Frame& frame, std::size_t count,
                const std::function<RGB(Generator&)>& draw) {
     Generator random(kSeed);
-    ColorSet set{std::move(name), {}};
+    ColorSet set{.name = std::move(name), .colors = {}};
     for (std::size_t i = 0; i < count; ++i) set.colors.push_back(frame.xyz(draw(random)));
     return set;
 }
@@ -55,8 +55,8 @@ ColorSet lattice(const Frame& frame, std::size_t count) {
             }
         }
     }
-    if (count >= all.size()) return {"8-bit lattice", all};
-    ColorSet set{"8-bit lattice", {}};  // evenly thinned
+    if (count >= all.size()) return {.name = "8-bit lattice", .colors = all};
+    ColorSet set{.name = "8-bit lattice", .colors = {}};  // evenly thinned
     const double stride = double(all.size() - 1) / double(count - 1);
     for (std::size_t i = 0; i < count; ++i)
         set.colors.push_back(all[std::size_t(double(i) * stride)]);
@@ -73,7 +73,7 @@ XYZ boundaryColor(const Solid& solid, Generator& random) {
 
 ColorSet uniformInSolid(const Solid& solid, std::size_t count) {
     Generator random(kSeed);
-    ColorSet set{"solid", {}};
+    ColorSet set{.name = "solid", .colors = {}};
     while (set.colors.size() < count) {
         const RGB share = uniformRGB(random, 0, 1);
         const XYZ& white = solid.white();
@@ -87,7 +87,7 @@ ColorSet cubeInSolid(std::string name, const char* space, const Frame& frame, co
                      std::size_t count) {
     const Imath::M33d matrix = xyzFromRGB(*findColorSpace(space), frame.observer.white());
     Generator random(kSeed);
-    ColorSet set{std::move(name), {}};
+    ColorSet set{.name = std::move(name), .colors = {}};
     while (set.colors.size() < count) {
         const XYZ color(uniformRGB(random, 0, 1) * matrix);
         if (solid.gauge(color) <= 1) set.colors.push_back(color);
@@ -97,7 +97,7 @@ ColorSet cubeInSolid(std::string name, const char* space, const Frame& frame, co
 
 ColorSet justOutside(const Solid& solid, std::size_t count) {
     Generator random(kSeed);
-    ColorSet set{"just outside", {}};
+    ColorSet set{.name = "just outside", .colors = {}};
     for (std::size_t i = 0; i < count; ++i) {
         const Imath::V3d arm = boundaryColor(solid, random) - solid.center();
         set.colors.emplace_back(solid.center() + arm * uniform(random, 1, 1.05));
@@ -120,7 +120,8 @@ std::vector<XYZ> colorsAtGauge(const Solid& solid, double gauge, std::size_t cou
 std::vector<ColorSet> solidSets(const Frame& frame, const Solid& solid, std::size_t count) {
     std::vector<ColorSet> sets{uniformInSolid(solid, count)};
     for (const double gauge : {0.9, 0.99, 0.999, 0.9999, 1.0}) {
-        sets.push_back({fmt::format("gauge {}", gauge), colorsAtGauge(solid, gauge, count)});
+        sets.push_back(
+            {.name = fmt::format("gauge {}", gauge), .colors = colorsAtGauge(solid, gauge, count)});
     }
     sets.push_back(cubeInSolid("Rec.2020 cube", "lin_rec2020", frame, solid, count));
     sets.push_back(cubeInSolid("ACEScg cube", "acescg", frame, solid, count));
@@ -130,11 +131,14 @@ std::vector<ColorSet> solidSets(const Frame& frame, const Solid& solid, std::siz
 
 std::vector<ColorSet> rgbSets(const Frame& frame, std::size_t count) {
     const std::size_t few = count / 10;
-    return {drawn("RGB cube", frame, count, [](Generator& g) { return uniformRGB(g, 0, 1); }),
-            lattice(frame, count),
-            drawn("dark", frame, few, [](Generator& g) { return uniformRGB(g, 0, 0.05); }),
-            drawn("near black, saturated", frame, few, faintSaturated),
-            drawn("near white", frame, few, [](Generator& g) { return uniformRGB(g, 0.99, 1); })};
+    std::vector<ColorSet> sets{
+        drawn("RGB cube", frame, count, [](Generator& g) { return uniformRGB(g, 0, 1); }),
+        lattice(frame, count),
+        drawn("dark", frame, few, [](Generator& g) { return uniformRGB(g, 0, 0.05); }),
+        drawn("near black, saturated", frame, few, faintSaturated),
+        drawn("near white", frame, few, [](Generator& g) { return uniformRGB(g, 0.99, 1); })};
+    sets[3].neighbour = 1e-6;  // small beside the colours
+    return sets;
 }
 
 }  // namespace specbake::bench

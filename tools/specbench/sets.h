@@ -13,6 +13,7 @@ namespace specbake::bench {
 struct ColorSet {
     std::string name;
     std::vector<XYZ> colors;
+    double neighbour = 1e-4;  ///< distance in RGB at which continuity is of interest
 };
 
 /// Sets of colours under a frame's observer, seeded: the same every time. `count` colours each of

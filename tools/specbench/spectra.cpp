@@ -28,10 +28,10 @@ void addSpectrum(Figures& figures, const std::string& patch, const MethodName& m
 }  // namespace
 
 void runSpectra(const Options& options) {
-    Figures figures("spectra", "specbench spectra");
+    Figures figures("spectra", options.commandLine("spectra"));
     const auto patches = readReflectances(options.data + "/colorchecker_24.csv");
     const Methods methods = oneOfEach(options.data);
-    Progress progress(methods.size());
+    Progress progress("spectra", methods.size());
     for (const NamedSpectrum& patch : patches) {
         if (std::ranges::find(kPatches, patch.name) == kPatches.end()) continue;
         addSpectrum(figures, patch.name, {"measured", ""}, patch.spectrum);

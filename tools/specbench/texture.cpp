@@ -1,5 +1,6 @@
 #include "texture.h"
 
+#include <specbake/core/error.h>
 #include <specbake/image/texture_reader.h>
 
 #include <algorithm>
@@ -11,6 +12,11 @@ namespace specbake::bench {
 Texture readTexture(const std::string& path) {
     TextureReader reader(path);
     const TextureInfo& info = reader.info();
+    const std::string& space = info.automaticSpace.name;
+    if (space != "srgb" && space != "lin_rec709") {
+        throw FileError(path,
+                        "specbench takes textures of sRGB or linear Rec.709, this is " + space);
+    }
     Texture texture{path, info.data.width, info.data.height, {}};
     const auto width = std::size_t(texture.width);
     const TexelDecoder decoder(info, info.automaticSpace);

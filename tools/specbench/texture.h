@@ -15,7 +15,7 @@ struct Texture {
     std::vector<Imath::V3f> texels;
 };
 
-/// Throws FileError.
+/// Of sRGB or linear Rec.709, since the frame of the charts is sRGB's. Throws FileError.
 Texture readTexture(const std::string& path);
 
 /// The different colours of a texture, at most `count` of them, evenly thinned.

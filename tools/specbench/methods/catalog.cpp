@@ -73,12 +73,8 @@ Methods everyMethod(const std::string& data) {
     Methods list;
     addSmooth(list, frame, {5, 9, 13, 17, 25, 33, 65});
     for (const DescentOptions& options : descentSettings()) {
-        const bool paper = options.path == DescentOptions::Path::closedForm &&
-                           options.start == DescentOptions::Start::random &&
-                           options.bound == DescentOptions::Bound::kept;
-        const bool quick = options.path == DescentOptions::Path::straight &&
-                           options.start == DescentOptions::Start::flat;
-        addDescent(list, frame, options, paper || quick ? std::vector{17} : std::vector<int>{});
+        const bool kept = options.bound == DescentOptions::Bound::kept;
+        addDescent(list, frame, options, kept ? std::vector{17} : std::vector<int>{});
     }
     addDualNewton(list, frame);
     add<Jakob2019Direct>(list, frame);

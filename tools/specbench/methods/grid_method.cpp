@@ -7,12 +7,29 @@
 namespace specbake::bench {
 namespace {
 
+constexpr std::size_t kRun = 256;  // texels located at a time
+
+/// Texels of a run as blends of four nodes each.
+struct Places {
+    std::array<std::array<std::uint32_t, 4>, kRun> nodes;
+    std::array<std::array<float, 4>, kRun> weights;
+};
+
+/// `nodes` of `stride` floats each; kBandCount of each texel, clamped as those of a bake.
 SPECBENCH_CLONES
-void blend(const std::array<const float*, 4>& node, const std::array<float, 4>& weight,
+void blend(const float* nodes, std::size_t stride, const Places& places, std::size_t count,
            float* out) {
-    for (int m = 0; m < kBandCount; ++m) {
-        out[m] = weight[0] * node[0][m] + weight[1] * node[1][m] + weight[2] * node[2][m] +
-                 weight[3] * node[3][m];
+    for (std::size_t i = 0; i < count; ++i, out += kBandCount) {
+        const auto& [n0, n1, n2, n3] = places.nodes[i];
+        const auto [w0, w1, w2, w3] = places.weights[i];
+        const float* s0 = nodes + n0 * stride;
+        const float* s1 = nodes + n1 * stride;
+        const float* s2 = nodes + n2 * stride;
+        const float* s3 = nodes + n3 * stride;
+        for (int m = 0; m < kBandCount; ++m) {
+            const float s = w0 * s0[m] + w1 * s1[m] + w2 * s2[m] + w3 * s3[m];
+            out[m] = s < 1 ? s : 1;
+        }
     }
 }
 
@@ -50,7 +67,7 @@ void GridMethod::setUp() {
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         const Solution solution = solver_->solve(nodeColor(std::uint32_t(n)));
         failedNodes_ += !solution.solved();
-        std::ranges::transform(solution.spectrum, nodes_[n].begin(),
+        std::ranges::transform(solution.spectrum, nodes_[n].value.begin(),
                                [](double v) { return static_cast<float>(v); });
     }
 }
@@ -62,7 +79,7 @@ Reconstruction GridMethod::reconstruct(const XYZ& color) const {
         return {solution.spectrum, solution.solved()};
     }
     const Imath::V3f texel(unit(rgb.x), unit(rgb.y), unit(rgb.z));
-    Node spectrum;
+    std::array<float, kBandCount> spectrum;
     reconstructTexels({&texel, 1}, spectrum);
     Reconstruction r;
     std::ranges::copy(spectrum, r.spectrum.begin());
@@ -71,13 +88,16 @@ Reconstruction GridMethod::reconstruct(const XYZ& color) const {
 
 void GridMethod::reconstructTexels(std::span<const Imath::V3f> rgb,
                                    std::span<float> spectra) const {
-    float* out = spectra.data();
-    for (const Imath::V3f& texel : rgb) {
-        const GridSimplex at = grid_.locate({texel.x, texel.y, texel.z});
-        blend({nodes_[at.node[0]].data(), nodes_[at.node[1]].data(), nodes_[at.node[2]].data(),
-               nodes_[at.node[3]].data()},
-              at.weight, out);
-        out += kBandCount;
+    std::array<std::array<float, 3>, kRun> points;
+    Places places;
+    for (std::size_t first = 0; first < rgb.size(); first += kRun) {
+        const auto some = rgb.subspan(first, std::min(kRun, rgb.size() - first));
+        std::ranges::transform(some, points.begin(), [](const Imath::V3f& c) {
+            return std::array{c.x, c.y, c.z};
+        });
+        grid_.locate(std::span(points).first(some.size()), places.nodes, places.weights);
+        blend(nodes_[0].value.data(), sizeof(Node) / sizeof(float), places, some.size(),
+              spectra.data() + first * kBandCount);
     }
 }
 

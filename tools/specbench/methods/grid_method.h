@@ -30,11 +30,15 @@ class GridMethod : public Method {
     void reconstructTexels(std::span<const Imath::V3f> rgb,
                            std::span<float> spectra) const override;
 
+    /// Memory of all nodes.
+    std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
     /// Nodes that the solver could not solve; 0 before setUp().
     int failedNodes() const { return failedNodes_; }
 
   private:
-    using Node = std::array<float, kBandCount>;
+    struct alignas(64) Node {
+        std::array<float, 96> value{};  ///< kBandCount of them, up to whole cache lines
+    };
     XYZ nodeColor(std::uint32_t node) const;
 
     std::shared_ptr<const Solver> solver_;

@@ -65,9 +65,8 @@ void blend(const FloatBasis& basis, const Imath::V3f* rgb, std::size_t count, fl
 
 }  // namespace
 
-Smits1999::Smits1999(Frame frame, std::string table)
-    : Method({"Smits 1999", frame.observer.illuminant() == "E" ? "his white" : ""},
-             std::move(frame)),
+Smits1999::Smits1999(const Frame& frame, std::string table)
+    : Method({"Smits 1999", frame.observer.illuminant() == "E" ? "his white" : ""}, frame),
       table_(std::move(table)) {}
 
 void Smits1999::setUp() {

@@ -22,7 +22,7 @@ class Smits1999 : public Method {
   public:
     /// `table`: data/smits1999.csv. The frame may be his own (`smitsFrame`) or, as renderers use
     /// it, linear sRGB.
-    Smits1999(Frame frame, std::string table);
+    Smits1999(const Frame& frame, std::string table);
 
     /// Throws FileError.
     void setUp() override;

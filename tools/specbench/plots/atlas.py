@@ -1,27 +1,23 @@
 """The stability atlas: what happens towards the boundary, and where in the chromaticity diagram."""
 
-import math
-
 import matplotlib.pyplot as plt
 import numpy as np
 
 from plots import labels
-from plots.style import INK, color_of, mark_of, methods_of, read_rows, save
+from plots.style import color_of, mark_of, methods_of, name_of, read_rows, save
 
 PANELS = [
-    ("failed", "failed, share of colours", False),
-    ("residual p99", "99 % of residuals below, |ΔXYZ|", True),
-    ("continuity p99", "99 % of stretches below,\n|Δs| / |ΔRGB|", True),
+    ("failed", "failed, share of colours\n(linear to 1 %, then log)"),
+    ("residual p99", "99 % of residuals below,\n|ΔXYZ| (log)"),
+    ("continuity p99", "99 % of stretches below,\n|Δs| / |ΔRGB| (log)"),
 ]
 # without failures, as the one of their family that is shown
 UNMAPPED = {("smooth", "Newton alone"), ("descent", "straight, flat"),
             ("descent", "closed form, random, released"), ("dual Newton", "nearest to Y")}
 VERDICTS = {"good": None, "missed": "#D55E00", "out of bounds": "#0072B2", "gave up": "#CC79A7"}
+MEANING = {"good": "", "missed": ": CIEDE2000 > 1", "out of bounds": ": a sample, by > 0.001",
+           "gave up": ": the method says so"}
 FLOOR = 1e-16
-
-
-def label_of(method):
-    return f"{method[0]}, {method[1]}" if method[1] else method[0]
 
 
 def line_of(rows, method, quantity):
@@ -36,36 +32,31 @@ def dash_of(methods, method):
     return ["-", "--", ":", "-."][family.index(method) % 4]
 
 
-def label_ends(axes, ends):
-    """ends: (y on the axes from 0 to 1, text, color); the labels stand to the right."""
-    for y, (_, text, color) in zip(labels.spread([e[0] for e in ends], 0.062), ends):
-        axes.annotate(text, (1.01, y), xycoords="axes fraction", va="center", fontsize=8,
-                      color=color)
-
-
 def draw_lines(path, folder):
     rows = read_rows(path)
+    methods = methods_of(rows)
     title = "Towards the boundary of the object-colour solid: random directions, D65"
-    figure, panels = plt.subplots(3, 1, figsize=(9, 11), sharex=True)
-    for axes, (quantity, ylabel, log) in zip(panels, PANELS):
-        axes.set_xscale("log")
-        if log:
-            axes.set_yscale("log")
-        ends = []
-        for method in methods_of(rows):
-            x, y = line_of(rows, method, quantity)
-            y = [max(v, FLOOR) if log else v for v in y]
-            axes.plot(x, y, dash_of(methods_of(rows), method), marker=mark_of(method[0]), ms=3.5, lw=1.3,
-                      color=color_of(method[0]))
-            ends.append((y[-1], label_of(method), color_of(method[0])))
-        axes.set_ylabel(ylabel)
-        low, high = axes.get_ylim()
-        place = (lambda v: (math.log(v) - math.log(low)) / (math.log(high) - math.log(low))) \
-            if log else (lambda v: (v - low) / (high - low))
-        label_ends(axes, [(place(v), text, color) for v, text, color in ends])
+    figure, panels = plt.subplots(3, 1, figsize=(9, 12), sharex=True)
+    panels[0].set_xscale("log")
     panels[0].invert_xaxis()
     panels[0].set_title(title, loc="left", fontsize=10)
+    for axes, (quantity, ylabel) in zip(panels, PANELS):
+        if quantity == "failed":
+            axes.set_yscale("symlog", linthresh=0.01, linscale=0.6)
+            axes.set_yticks([0, 0.01, 0.1, 1], ["0", "1 %", "10 %", "100 %"])
+        else:
+            axes.set_yscale("log")
+        ends = []
+        for method in methods:
+            x, y = line_of(rows, method, quantity)
+            y = y if quantity == "failed" else [max(v, FLOOR) for v in y]
+            axes.plot(x, y, dash_of(methods, method), marker=mark_of(method[0]), ms=3.5, lw=1.3,
+                      color=color_of(method[0]))
+            ends.append((x[-1], y[-1], name_of(method), color_of(method[0])))
+        axes.set_ylabel(ylabel)
+        labels.column(axes, ends)
     panels[-1].set_xlabel("1 − gauge (log)  →  nearer to the boundary")
+    figure.subplots_adjust(hspace=0.12)
     save(figure, folder / "stability.svg", title)
 
 
@@ -106,15 +97,15 @@ def draw_map(path, folder):
                       ha="right", va="top", transform=axes.transAxes)
             axes.tick_params(labelsize=6)
             if line == 0:
-                axes.set_title(label_of(method).replace(" & ", " &\n").replace(", ", ",\n", 1),
+                axes.set_title(name_of(method).replace(" & ", " &\n").replace(", ", ",\n", 1),
                                fontsize=7.5, color=color_of(method[0]))
             if method == methods[0]:
                 axes.set_ylabel(f"Y = {Y:g}\ny", fontsize=8)
             if line + 1 == len(luminances):
                 axes.set_xlabel("x", fontsize=8)
     legend = [(k, v) for k, v in VERDICTS.items() if v]
-    figure.subplots_adjust(wspace=0.12, hspace=0.12, top=0.86, bottom=0.1)
+    figure.subplots_adjust(wspace=0.12, hspace=0.02, top=0.87, bottom=0.1)
     figure.text(0.09, 0.955, title + ". In the corners: the share that fails.", fontsize=10)
     for k, (name, color) in enumerate([("good", "#888888")] + legend):
-        figure.text(0.09 + 0.11 * k, 0.02, "■ " + name, color=color, fontsize=9)
+        figure.text(0.09 + 0.24 * k, 0.02, "■ " + name + MEANING[name], color=color, fontsize=8.5)
     save(figure, folder / "stability-map.svg", title)

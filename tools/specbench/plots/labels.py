@@ -22,6 +22,7 @@ PLACES = [
     (24, 48, "left", "bottom"),
     (24, -48, "left", "top"),
 ]
+MIRRORED = {"left": "right", "right": "left", "center": "center"}
 
 
 def _overlap(a, b):
@@ -35,17 +36,21 @@ def _box_of(annotation, renderer):
     return (box.x0 - 2, box.y0 - 1, box.x1 + 2, box.y1 + 1)
 
 
-def place(axes, points):
-    """points: (x, y, text, color), in the axes' data. Greedy, in the order given."""
+def place(axes, points, others=()):
+    """points: (x, y, text, color), in the axes' data. Greedy, in the order given; `others` are
+    marks (x, y) to keep clear of as well."""
     figure = axes.figure
     figure.canvas.draw()
     renderer = figure.canvas.get_renderer()
     frame = axes.get_window_extent(renderer)
-    marks = [axes.transData.transform((x, y)) for x, y, _, _ in points]
+    marks = [axes.transData.transform(p[:2]) for p in [*points, *others]]
     taken = [(mx - 5, my - 5, mx + 5, my + 5) for mx, my in marks]
-    for x, y, text, color in points:
+    for (x, y, text, color), (mx, _) in zip(points, marks):
         best = None
+        mirror = -1 if mx > frame.x0 + 0.55 * frame.width else 1  # towards the middle first
         for dx, dy, across, along in PLACES:
+            dx *= mirror
+            across = across if mirror > 0 else MIRRORED[across]
             far = abs(dx) + abs(dy) > 12
             annotation = axes.annotate(
                 text, (x, y), xytext=(dx, dy), textcoords="offset points", ha=across, va=along,
@@ -65,6 +70,20 @@ def place(axes, points):
             if best[0] == 0:
                 break
         taken.append(best[2])
+
+
+def column(axes, points):
+    """Labels of points (x, y, text, color) one below the other at the right, with lines to them."""
+    figure = axes.figure
+    figure.canvas.draw()
+    to_axes = axes.transData + axes.transAxes.inverted()
+    heights = [to_axes.transform(p[:2])[1] for p in points]
+    gap = 14 / (axes.get_window_extent().height * 72 / figure.dpi)
+    for y, (px, py, text, color) in zip(spread(heights, gap), points):
+        axes.annotate(text, (px, py), xytext=(1.02, y), textcoords="axes fraction", va="center",
+                      color=color, fontsize=8, annotation_clip=False,
+                      arrowprops={"arrowstyle": "-", "color": color, "lw": 0.5, "shrinkA": 2,
+                                  "shrinkB": 4, "relpos": (0, 0.5)})
 
 
 def spread(values, gap):

@@ -2,6 +2,7 @@
 
 import csv
 import math
+import re
 
 import matplotlib
 
@@ -16,10 +17,11 @@ STYLE = (  # a middle tone for viewers that know of no scheme
 )
 
 # M. Okabe, K. Ito, "Color Universal Design", 2008; their black is the ink, their yellow is left
-# out, and orange and sky blue are a shade darker, so that words in them can be read on white.
+# out, orange and sky blue are a shade darker and blue is a shade lighter, so that words in them
+# can be read on white and on black.
 FAMILIES = {
     "smooth": ("#009E73", "o"),
-    "descent": ("#0072B2", "s"),
+    "descent": ("#1677BD", "s"),
     "dual Newton": ("#8C6BB1", "p"),
     "Jakob & Hanika 2019": ("#D55E00", "^"),
     "Mallett & Yuksel 2019": ("#CC79A7", "D"),
@@ -84,6 +86,10 @@ def value(rows, method, quantity, sets=None, pick=max):
     return pick(found) if found else math.nan
 
 
+def name_of(method):
+    return f"{method[0]}, {method[1]}" if method[1] else method[0]
+
+
 def methods_of(rows):
     """(family, parameters) in the order in which they were measured."""
     return list(dict.fromkeys((row["family"], row["parameters"]) for row in rows))
@@ -94,6 +100,8 @@ def save(figure, path, title):
                    metadata={"Date": None, "Title": title})
     plt.close(figure)
     text = path.read_text(encoding="utf-8").replace(INK, "currentColor")
+    # A hundredth of a point is enough.
+    text = re.sub(r' (d|x|y)="[^"]*"', lambda a: re.sub(r"(\.\d\d)\d+", r"\1", a[0]), text)
     start = text.index("<metadata>")
     path.write_text(text[:start] + STYLE + "\n " + text[start:], encoding="utf-8")
     print(path)
