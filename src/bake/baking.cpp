@@ -103,9 +103,10 @@ void Baking::readBand(Band& band) {
 void Baking::processBand(Band& band) {
     const ChunkGrid& image = writer_.levels().front();
     Buffers& buffers = buffers_.local();
-    std::vector<std::byte>& samples = buffers.samples;
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         const int chunk = band.firstChunk + int(i);
+        std::vector<std::byte> samples;
+        spare_.try_pop(samples);
         samples.resize(writer_.chunkBytes(chunk));
         const Window texels = image.texels(chunk);
         const std::size_t rowBytes = samples.size() / std::size_t(texels.height);
@@ -114,7 +115,7 @@ void Baking::processBand(Band& band) {
                      std::span(samples).subspan(std::size_t(row) * rowBytes, rowBytes),
                      band.census);
         }
-        if (band.census.complete()) band.packed[i] = writer_.pack(chunk, samples);
+        if (band.census.complete()) band.packed[i] = writer_.pack(chunk, std::move(samples));
     }
     if (hasLevels() && band.census.complete()) reduceBand(band);
     band.stored = {};
@@ -180,6 +181,7 @@ void Baking::writeBand(Band& band) {
     if (!census_.complete()) return;
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         writer_.write(band.firstChunk + int(i), band.packed[i]);
+        spare_.push(std::move(band.packed[i]));
     }
     for (TexelRow& row : band.smaller) {
         pyramid_.add(std::move(row));

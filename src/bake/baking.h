@@ -6,6 +6,7 @@
 
 #include <specbake/image/spectral_writer.h>
 
+#include <tbb/concurrent_queue.h>
 #include <tbb/enumerable_thread_specific.h>
 
 #include <array>
@@ -34,7 +35,6 @@ class Baking {
     bool hasLevels() const { return writer_.levels().size() > 1; }
     /// What a thread keeps from band to band.
     struct Buffers {
-        std::vector<std::byte> samples;  ///< of a chunk
         std::vector<std::array<float, 3>> colors;
         std::vector<float> alpha;
         std::vector<Mix> mixes;
@@ -55,6 +55,8 @@ class Baking {
     LevelTiles levelTiles_;
     TexelCensus census_;
     tbb::enumerable_thread_specific<Buffers> buffers_;
+    /// Memory of chunks that are written, for those to come: fresh pages cost more than a copy.
+    tbb::concurrent_queue<std::vector<std::byte>> spare_;
 };
 
 }  // namespace specbake

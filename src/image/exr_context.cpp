@@ -9,6 +9,14 @@ namespace {
 
 void ignoreMessage(exr_const_context_t /*context*/, exr_result_t /*code*/, const char* /*text*/) {}
 
+/// -1 if it failed; the stream knows why.
+std::int64_t writeBytes(exr_const_context_t /*context*/, void* stream, const void* bytes,
+                        std::uint64_t count, std::uint64_t offset,
+                        exr_stream_error_func_ptr_t /*error*/) {
+    const bool written = static_cast<WriteStream*>(stream)->write(bytes, count, offset);
+    return written ? std::int64_t(count) : -1;
+}
+
 exr_attr_box2i_t boxOf(const Window& w) {
     return {{w.x, w.y}, {w.x + w.width - 1, w.y + w.height - 1}};
 }
@@ -76,9 +84,11 @@ struct AttributeSetter {
 
 ExrContext::ExrContext(const std::filesystem::path& file, std::string shownAs,
                        const SpectralHeader& header, const StorageOptions& storage)
-    : shownAs_(std::move(shownAs)), top_(header.data.y), tiled_(storage.isTiled()) {
+    : shownAs_(std::move(shownAs)), stream_(file), top_(header.data.y), tiled_(storage.isTiled()) {
     exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
     options.error_handler_fn = ignoreMessage;
+    options.user_data = &stream_;
+    options.write_fn = writeBytes;
     check(exr_start_write(&context_, file.c_str(), EXR_WRITE_FILE_DIRECTLY, &options));
     int part = 0;
     check(exr_add_part(context_, "", tiled_ ? EXR_STORAGE_TILED : EXR_STORAGE_SCANLINE, &part));
@@ -134,14 +144,16 @@ void ExrContext::writeChunk(const ChunkGrid& level, int chunk,
 }
 
 void ExrContext::check(exr_result_t result) const {
-    if (result != EXR_ERR_SUCCESS) {
-        throw FileError(shownAs_, exr_get_default_error_message(result));
-    }
+    if (result == EXR_ERR_SUCCESS) return;
+    const std::string reason = stream_.error();
+    throw FileError(shownAs_, reason.empty() ? exr_get_default_error_message(result) : reason);
 }
 
 void ExrContext::finish() {
-    check(exr_finish(&context_));
+    const exr_result_t result = exr_finish(&context_);
     context_ = nullptr;
+    check(result);
+    if (!stream_.close()) check(EXR_ERR_WRITE_IO);
 }
 
 }  // namespace specbake

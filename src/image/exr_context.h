@@ -1,5 +1,7 @@
 #pragma once
 
+#include "write_stream.h"
+
 #include <specbake/image/chunk_grid.h>
 
 #include <OpenEXR/openexr.h>
@@ -39,6 +41,7 @@ class ExrContext {
     int firstRow(const ChunkGrid& level, int chunk) const;
 
     std::string shownAs_;
+    WriteStream stream_;
     int top_;
     bool tiled_;
     exr_context_t context_ = nullptr;

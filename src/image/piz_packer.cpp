@@ -8,18 +8,13 @@ namespace specbake {
 namespace {
 
 /// What goes into the encoder and comes out of it.
-struct Transit {
-    std::span<const std::byte> samples;
-    std::vector<std::byte> packed;
-};
-
-Transit& transitOf(exr_encode_pipeline_t* encoder) {
-    return *static_cast<Transit*>(encoder->encoding_user_data);
+std::vector<std::byte>& samplesOf(exr_encode_pipeline_t* encoder) {
+    return *static_cast<std::vector<std::byte>*>(encoder->encoding_user_data);
 }
 
 /// The encoder's first step here: the samples lie already as it packs them.
 exr_result_t takeSamples(exr_encode_pipeline_t* encoder) {
-    const std::span<const std::byte> samples = transitOf(encoder).samples;
+    const std::vector<std::byte>& samples = samplesOf(encoder);
     if (encoder->packed_alloc_size < samples.size()) return EXR_ERR_INVALID_ARGUMENT;
     std::memcpy(encoder->packed_buffer, samples.data(), samples.size());
     encoder->packed_bytes = samples.size();
@@ -29,12 +24,14 @@ exr_result_t takeSamples(exr_encode_pipeline_t* encoder) {
 /// Its last step here: the bytes are kept instead of written.
 exr_result_t keepPacked(exr_encode_pipeline_t* encoder) {
     const auto* first = static_cast<const std::byte*>(encoder->compressed_buffer);
-    transitOf(encoder).packed.assign(first, first + encoder->compressed_bytes);
+    samplesOf(encoder).assign(first, first + encoder->compressed_bytes);
     return EXR_ERR_SUCCESS;
 }
 
-/// OpenEXRCore's encoder for one chunk.
-class Encoder {
+}  // namespace
+
+/// OpenEXRCore's encoder and its memory.
+class PizPacker::Encoder {
   public:
     Encoder(const ExrContext& context, const exr_chunk_info_t& chunk) : context_(context) {
         context.check(exr_encoding_initialize(context.get(), 0, &chunk, &encoder_));
@@ -43,8 +40,11 @@ class Encoder {
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
 
-    std::vector<std::byte> run(std::span<const std::byte> samples) {
-        Transit transit{samples, {}};
+    void goOnWith(const exr_chunk_info_t& chunk) {
+        context_.check(exr_encoding_update(context_.get(), 0, &chunk, &encoder_));
+    }
+
+    void run(std::vector<std::byte>& samples) {
         // The routines are chosen for channels that hold their samples; any address will do.
         for (int c = 0; c < encoder_.channel_count; ++c) {
             auto& channel = encoder_.channels[c];
@@ -54,11 +54,10 @@ class Encoder {
         }
         context_.check(exr_encoding_choose_default_routines(context_.get(), 0, &encoder_));
         encoder_.convert_and_pack_fn = takeSamples;
-        encoder_.encoding_user_data = &transit;
+        encoder_.encoding_user_data = &samples;
         encoder_.yield_until_ready_fn = nullptr;
         encoder_.write_fn = keepPacked;
         context_.check(exr_encoding_run(context_.get(), 0, &encoder_));
-        return std::move(transit.packed);
     }
 
   private:
@@ -66,11 +65,26 @@ class Encoder {
     exr_encode_pipeline_t encoder_ = EXR_ENCODE_PIPELINE_INITIALIZER;
 };
 
-}  // namespace
+PizPacker::PizPacker(const ExrContext& context) : context_(context) {}
+PizPacker::~PizPacker() = default;
 
-std::vector<std::byte> packPiz(const ExrContext& context, const ChunkGrid& level, int chunk,
-                               std::span<const std::byte> samples) {
-    return Encoder(context, context.chunkInfo(level, chunk)).run(samples);
+std::unique_ptr<PizPacker::Encoder> PizPacker::takeEncoder(const exr_chunk_info_t& chunk) {
+    std::unique_ptr<Encoder> encoder;
+    {
+        const std::lock_guard lock(mutex_);
+        if (idle_.empty()) return std::make_unique<Encoder>(context_, chunk);
+        encoder = std::move(idle_.back());
+        idle_.pop_back();
+    }
+    encoder->goOnWith(chunk);
+    return encoder;
+}
+
+void PizPacker::pack(const ChunkGrid& level, int chunk, std::vector<std::byte>& samples) {
+    std::unique_ptr<Encoder> encoder = takeEncoder(context_.chunkInfo(level, chunk));
+    encoder->run(samples);
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(encoder));
 }
 
 }  // namespace specbake

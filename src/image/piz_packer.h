@@ -3,14 +3,31 @@
 #include "exr_context.h"
 
 #include <cstddef>
-#include <span>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 namespace specbake {
 
-/// OpenEXR's PIZ (wavelet and Huffman), by OpenEXRCore's own encoder, for one chunk of a level.
-/// Safe from several threads on one context.
-std::vector<std::byte> packPiz(const ExrContext& context, const ChunkGrid& level, int chunk,
-                               std::span<const std::byte> samples);
+/// OpenEXR's PIZ (wavelet and Huffman), by OpenEXRCore's own encoder.
+class PizPacker {
+  public:
+    /// The context must outlive it.
+    explicit PizPacker(const ExrContext& context);
+    ~PizPacker();
+    PizPacker(const PizPacker&) = delete;
+    PizPacker& operator=(const PizPacker&) = delete;
+
+    /// One chunk of a level, in the samples' place. Any number of threads may pack at once.
+    void pack(const ChunkGrid& level, int chunk, std::vector<std::byte>& samples);
+
+  private:
+    class Encoder;
+    std::unique_ptr<Encoder> takeEncoder(const exr_chunk_info_t& chunk);
+
+    const ExrContext& context_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Encoder>> idle_;  ///< kept with their memory, one a thread at most
+};
 
 }  // namespace specbake

@@ -30,7 +30,8 @@ struct SpectralWriter::Implementation {
           storage(checked(s)),
           file(path),
           levels(chunkGrids(h.data.width, h.data.height, s)),
-          context(file.temporaryPath(), path.string(), h, s) {}
+          context(file.temporaryPath(), path.string(), h, s),
+          piz(context) {}
 
     /// The level that a chunk belongs to.
     const ChunkGrid& levelOf(int chunk) const {
@@ -50,6 +51,7 @@ struct SpectralWriter::Implementation {
     OutputFile file;
     std::vector<ChunkGrid> levels;
     ExrContext context;
+    PizPacker piz;
 };
 
 SpectralWriter::SpectralWriter(const std::filesystem::path& path, const SpectralHeader& header,
@@ -83,19 +85,21 @@ std::size_t SpectralWriter::chunkBytes(int chunk) const {
            implementation_->planeRowBytes(chunk);
 }
 
-std::vector<std::byte> SpectralWriter::pack(int chunk, std::span<const std::byte> samples) const {
-    const Implementation& i = *implementation_;
+std::vector<std::byte> SpectralWriter::pack(int chunk, std::vector<std::byte> samples) const {
+    Implementation& i = *implementation_;
     if (samples.size() != chunkBytes(chunk)) throw ArgumentError("a chunk of another size");
     switch (i.storage.compression) {
         case Compression::zip:
         case Compression::zips:
-            return packZip(samples, i.planeRowBytes(chunk), i.storage.level);
+            packZip(samples, i.planeRowBytes(chunk), i.storage.level);
+            break;
         case Compression::piz:
-            return packPiz(i.context, i.levelOf(chunk), chunk, samples);
+            i.piz.pack(i.levelOf(chunk), chunk, samples);
+            break;
         case Compression::none:
             break;
     }
-    return {samples.begin(), samples.end()};
+    return samples;
 }
 
 void SpectralWriter::write(int chunk, std::span<const std::byte> packed) {

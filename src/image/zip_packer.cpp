@@ -33,6 +33,16 @@ void splitAndPredict(Bytes samples, std::vector<std::uint8_t>& predicted) {
     predict(samples.data() + 1, samples.size() / 2, samples[2 * even - 2], predicted.data() + even);
 }
 
+/// Undoes splitAndPredict().
+void restore(Bytes predicted, std::span<std::uint8_t> samples) {
+    const std::size_t even = (samples.size() + 1) / 2;
+    std::uint8_t last = 128;
+    for (std::size_t i = 0; i < predicted.size(); ++i) {
+        last = std::uint8_t(last + predicted[i] - 128);
+        samples[i < even ? 2 * i : 2 * (i - even) + 1] = last;
+    }
+}
+
 /// The size of the packed bytes; 0 if they do not fit.
 std::size_t deflateSmall(Bytes bytes, int level, std::span<std::uint8_t> packed) {
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
@@ -48,24 +58,18 @@ std::size_t deflate(Bytes bytes, std::size_t rowLength, int level, std::span<std
     return rowDeflate(bytes, rowLength, std::size_t(level), packed);
 }
 
-/// Memory that a thread keeps from chunk to chunk: fresh pages cost as much as the prediction.
-struct Scratch {
-    std::vector<std::uint8_t> predicted;
-    std::vector<std::uint8_t> packed;
-};
-
 }  // namespace
 
-std::vector<std::byte> packZip(std::span<const std::byte> samples, std::size_t rowBytes,
-                               int level) {
-    thread_local Scratch scratch;
-    splitAndPredict({reinterpret_cast<const std::uint8_t*>(samples.data()), samples.size()},
-                    scratch.predicted);
-    scratch.packed.resize(rowDeflateBound(samples.size()));
-    const std::size_t size = deflate(scratch.predicted, rowBytes / 2, level, scratch.packed);
-    if (size == 0 || size >= samples.size()) return {samples.begin(), samples.end()};
-    const auto* packed = reinterpret_cast<const std::byte*>(scratch.packed.data());
-    return {packed, packed + size};
+void packZip(std::vector<std::byte>& samples, std::size_t rowBytes, int level) {
+    thread_local std::vector<std::uint8_t> predicted;  // fresh pages cost as much as the prediction
+    const std::size_t size = samples.size();
+    splitAndPredict({reinterpret_cast<const std::uint8_t*>(samples.data()), size}, predicted);
+    samples.resize(rowDeflateBound(size));
+    const std::span bytes(reinterpret_cast<std::uint8_t*>(samples.data()), samples.size());
+    const std::size_t packed = deflate(predicted, rowBytes / 2, level, bytes);
+    const bool shorter = packed > 0 && packed < size;
+    if (!shorter) restore(predicted, bytes.first(size));
+    samples.resize(shorter ? packed : size);
 }
 
 }  // namespace specbake

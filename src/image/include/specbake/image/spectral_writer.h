@@ -36,10 +36,10 @@ class SpectralWriter {
     int chunkRows(int chunk) const;
     std::size_t chunkBytes(int chunk) const;  ///< of its samples
 
-    /// A chunk's samples to the bytes that stand in the file. The samples lie row by row, within a
-    /// row channel by channel (channelNames()), each channel's row contiguous. Any number of
-    /// threads may pack at once. Throws FileError.
-    std::vector<std::byte> pack(int chunk, std::span<const std::byte> samples) const;
+    /// A chunk's samples to the bytes that stand in the file, in the same memory. The samples lie
+    /// row by row, within a row channel by channel (channelNames()), each channel's row contiguous.
+    /// Any number of threads may pack at once. Throws FileError.
+    std::vector<std::byte> pack(int chunk, std::vector<std::byte> samples) const;
 
     /// Appends a packed chunk, from one thread at a time. The chunks of one level go in order,
     /// those of several levels in any; all must come. Throws FileError.
