@@ -2,6 +2,8 @@
 
 #include <specbake/core/error.h>
 
+#include <string_view>
+
 namespace specbake {
 
 /// libjpeg leaves a call that went wrong by longjmp, past frames that own nothing.
@@ -89,9 +91,11 @@ void JpegDecoder::readMarkers() {
             plain_ = false;
             return;
         }
-        const std::string comment(reinterpret_cast<const char*>(marker->data), marker->data_length);
         // A comment may end in a zero, as strings of C do.
-        description_.attributes.emplace("ImageDescription", std::string(comment.c_str()));
+        const std::string_view comment(reinterpret_cast<const char*>(marker->data),
+                                       marker->data_length);
+        description_.attributes.emplace("ImageDescription",
+                                        std::string(comment.substr(0, comment.find('\0'))));
     }
 }
 

@@ -68,6 +68,10 @@ class PizPacker::Encoder {
 PizPacker::PizPacker(const ExrContext& context) : context_(context) {}
 PizPacker::~PizPacker() = default;
 
+void PizPacker::release() {
+    idle_.clear();
+}
+
 std::unique_ptr<PizPacker::Encoder> PizPacker::takeEncoder(const exr_chunk_info_t& chunk) {
     std::unique_ptr<Encoder> encoder;
     {

@@ -21,6 +21,9 @@ class PizPacker {
     /// One chunk of a level, in the samples' place. Any number of threads may pack at once.
     void pack(const ChunkGrid& level, int chunk, std::vector<std::byte>& samples);
 
+    /// Gives the encoders' memory back, before the context is finished: they need it for that.
+    void release();
+
   private:
     class Encoder;
     std::unique_ptr<Encoder> takeEncoder(const exr_chunk_info_t& chunk);

@@ -107,6 +107,7 @@ void SpectralWriter::write(int chunk, std::span<const std::byte> packed) {
 }
 
 void SpectralWriter::commit() {
+    implementation_->piz.release();
     implementation_->context.finish();
     implementation_->file.commit();
 }
