@@ -2,26 +2,27 @@
 #include "figures.h"
 #include "lookup.h"
 #include "methods/frame.h"
+#include "random_colors.h"
 #include "sets.h"
 #include "statistics.h"
+#include "tasks.h"
 
 #include <specbake/core/error.h>
 #include <specbake/core/shell.h>
 
 #include <fmt/core.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <span>
 
 namespace specbake::bench {
 namespace {
 
-using Random = std::mt19937_64;
-
-double uniform(Random& random) {
-    return double(random() >> 11) * 0x1p-53;
+/// Blue is drawn first: the figures of docs/method.md are those of these colours.
+RGB blueFirst(Generator& random, double low, double high) {
+    const RGB drawn = uniformRGB(random, low, high);
+    return {drawn.z, drawn.y, drawn.x};
 }
 
 /// Largest residual and largest step out of [0, 1]; how many colours were not solved.
@@ -29,51 +30,58 @@ struct Outcome {
     std::size_t failed = 0;
     double residual = 0;
     double violation = 0;
+
+    void add(const Outcome& other) {
+        failed += other.failed;
+        residual = std::max(residual, other.residual);
+        violation = std::max(violation, other.violation);
+    }
 };
 
-Outcome solveAll(const Solver& solver, const Observer& observer, const std::vector<XYZ>& colors) {
-    constexpr std::size_t slice = 1000;
-    std::vector<Outcome> slices((colors.size() + slice - 1) / slice);
-    tbb::parallel_for(std::size_t{0}, slices.size(), [&](std::size_t s) {
-        Outcome& outcome = slices[s];
-        for (std::size_t i = s * slice; i < std::min((s + 1) * slice, colors.size()); ++i) {
-            const Solution solution = solver.solve(colors[i]);
-            if (!solution.solved()) ++outcome.failed;
-            const Imath::V3d miss = observer.color(solution.spectrum) - colors[i];
-            for (int c = 0; c < 3; ++c) {
-                outcome.residual = std::max(outcome.residual, std::abs(miss[c]));
-            }
-            for (const double v : solution.spectrum) {
-                outcome.violation = std::max({outcome.violation, -v, v - 1});
-            }
-        }
-    });
-    Outcome all;
-    for (const Outcome& one : slices) {
-        all.failed += one.failed;
-        all.residual = std::max(all.residual, one.residual);
-        all.violation = std::max(all.violation, one.violation);
+Outcome solve(const Solver& solver, const Observer& observer, std::span<const XYZ> colors) {
+    Outcome outcome;
+    for (const XYZ& color : colors) {
+        const Solution solution = solver.solve(color);
+        const Imath::V3d miss = observer.color(solution.spectrum) - color;
+        outcome.add({.failed = solution.solved() ? 0U : 1U,
+                     .residual = std::max({std::abs(miss.x), std::abs(miss.y), std::abs(miss.z)}),
+                     .violation = boundsViolation(solution.spectrum)});
     }
-    return all;
+    return outcome;
+}
+
+/// On all cores; an outcome for each set.
+std::vector<Outcome> solveAll(const Solver& solver, const Observer& observer,
+                              const std::vector<ColorSet>& sets) {
+    constexpr std::size_t slice = 1000;
+    std::vector<Task<Outcome>> tasks;
+    std::vector<std::size_t> setOfTask;
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        const std::span<const XYZ> colors = sets[s].colors;
+        for (std::size_t i = 0; i < colors.size(); i += slice) {
+            const auto some = colors.subspan(i, std::min(slice, colors.size() - i));
+            tasks.push_back({sets[s].name,
+                             [&solver, &observer, some] { return solve(solver, observer, some); }});
+            setOfTask.push_back(s);
+        }
+    }
+    Progress progress("exhaustive, " + observer.illuminant(), tasks.size());
+    const std::vector<Outcome> slices = onAllCores(tasks, progress);
+    std::vector<Outcome> outcomes(sets.size());
+    for (std::size_t i = 0; i < slices.size(); ++i) outcomes[setOfTask[i]].add(slices[i]);
+    return outcomes;
 }
 
 std::vector<XYZ> uniformInSolid(const Solid& solid, std::size_t count) {
-    Random random(1);
-    const XYZ white = solid.white();
-    std::vector<XYZ> colors;
-    while (colors.size() < count) {
-        const XYZ t(white.x * uniform(random), white.y * uniform(random),
-                    white.z * uniform(random));
-        if (solid.gauge(t) <= 1) colors.push_back(t);
-    }
-    return colors;
+    Generator random(1);
+    return firstInSolid(solid, count, [&] { return inBox(solid, blueFirst(random, 0, 1)); });
 }
 
 /// From anywhere in the solid towards black, down to a millionth.
 std::vector<XYZ> towardsBlack(const Solid& solid, std::size_t count) {
-    Random random(2);
+    Generator random(2);
     std::vector<XYZ> colors = uniformInSolid(solid, count);
-    for (XYZ& color : colors) color = XYZ(color * std::pow(10.0, -6 * uniform(random)));
+    for (XYZ& color : colors) color = XYZ(color * std::pow(10.0, -6 * uniform(random, 0, 1)));
     return colors;
 }
 
@@ -96,22 +104,21 @@ std::vector<XYZ> surfaceOfCube(const ColorSpace& space, const Observer& observer
     return colors;
 }
 
-struct Set {
-    std::string name;
-    std::vector<XYZ> colors;
-};
-
-std::vector<Set> setsOf(const Observer& observer, const Solid& solid, std::size_t scale) {
-    std::vector<Set> sets = {{"uniform in the solid", uniformInSolid(solid, 10 * scale)}};
+std::vector<ColorSet> setsOf(const Observer& observer, const Solid& solid, std::size_t scale) {
+    std::vector<ColorSet> sets;
+    const auto add = [&](std::string name, std::vector<XYZ> colors) {
+        sets.push_back({.name = std::move(name), .colors = std::move(colors)});
+    };
+    add("uniform in the solid", uniformInSolid(solid, 10 * scale));
     for (const double gauge : {0.99, 0.999, 0.9999, 0.99999, 0.999999, 1.0}) {
-        sets.push_back({fmt::format("gauge {}", gauge), colorsAtGauge(solid, gauge, scale)});
+        add(fmt::format("gauge {}", gauge), colorsAtGauge(solid, gauge, scale));
     }
-    sets.push_back({"towards black", towardsBlack(solid, scale)});
+    add("towards black", towardsBlack(solid, scale));
     for (const ColorSpace& space : colorSpaces()) {
         const bool asked =
             space.name == "lin_rec709" || space.name == "lin_rec2020" || space.name == "acescg";
         if (!asked || space.illuminant != observer.illuminant()) continue;
-        sets.push_back({"surface of " + space.name, surfaceOfCube(space, observer, solid)});
+        add("surface of " + space.name, surfaceOfCube(space, observer, solid));
     }
     return sets;
 }
@@ -143,14 +150,28 @@ class BakedTexel {
     SpectrumLookup lookup_;
 };
 
+void addOutcome(Figures& figures, const char* illuminant, const ColorSet& set,
+                const Outcome& outcome) {
+    fmt::print("{:<4} {:<24} {:>8} colours: {} failed, residual {:.2g}, outside [0, 1] by {:.2g}\n",
+               illuminant, set.name, set.colors.size(), outcome.failed, outcome.residual,
+               outcome.violation);
+    const auto add = [&](const char* quantity, double value, const char* unit) {
+        figures.add({set.name, {"smooth", illuminant}, quantity, value, unit, {}, ""});
+    };
+    add("colours", double(set.colors.size()), "1");
+    add("failed", double(outcome.failed), "1");
+    add("residual max", outcome.residual, "XYZ");
+    add("outside [0, 1] max", outcome.violation, "reflectance");
+}
+
 struct Pair {
     RGB a, b;
 };
 
-RGB randomStep(Random& random, double length) {
+RGB randomStep(Generator& random, double length) {
     RGB step;
     do {
-        step = RGB(uniform(random) - 0.5, uniform(random) - 0.5, uniform(random) - 0.5);
+        step = blueFirst(random, -0.5, 0.5);
     } while (step.length() > 0.5 || step.length() < 0.01);
     return RGB(step * (length / step.length()));
 }
@@ -164,11 +185,11 @@ bool inCube(const RGB& rgb) {
 std::array<std::pair<const char*, std::vector<Pair>>, 3> pairSets(std::size_t count) {
     constexpr double distance = 1e-4;
     constexpr int cells = 16;
-    Random random(3);
+    Generator random(3);
     std::array<std::pair<const char*, std::vector<Pair>>, 3> sets = {
         {{"in the sRGB cube", {}}, {"across cells", {}}, {"across the cube's faces", {}}}};
     for (std::size_t i = 0; sets[0].second.size() < count; ++i) {
-        RGB rgb(uniform(random), uniform(random), uniform(random));
+        RGB rgb = blueFirst(random, 0, 1);
         const RGB half = randomStep(random, distance / 2);
         if (!inCube(RGB(rgb - half)) || !inCube(RGB(rgb + half))) continue;
         const auto add = [&](std::size_t set) {
@@ -213,27 +234,16 @@ void addContinuity(Figures& figures, std::size_t count) {
 }  // namespace
 
 void runExhaustive(const Options& options) {
-    Figures figures("exhaustive",
-                    options.full ? "specbench exhaustive --full" : "specbench exhaustive");
+    Figures figures("exhaustive", options.commandLine("exhaustive"));
     std::size_t failed = 0;
     for (const char* illuminant : {"D65", "D60", "E"}) {
         const Observer observer(illuminant);
         const ShellSolver solver(observer);
-        for (const Set& set : setsOf(observer, solver.solid(), options.full ? 100'000 : 10'000)) {
-            const Outcome outcome = solveAll(solver, observer, set.colors);
-            failed += outcome.failed;
-            fmt::print(
-                "{:<4} {:<24} {:>8} colours: {} failed, residual {:.2g}, outside [0, 1] by "
-                "{:.2g}\n",
-                illuminant, set.name, set.colors.size(), outcome.failed, outcome.residual,
-                outcome.violation);
-            const auto add = [&](const char* quantity, double value, const char* unit) {
-                figures.add({set.name, {"smooth", illuminant}, quantity, value, unit, {}, ""});
-            };
-            add("colours", double(set.colors.size()), "1");
-            add("failed", double(outcome.failed), "1");
-            add("residual max", outcome.residual, "XYZ");
-            add("outside [0, 1] max", outcome.violation, "reflectance");
+        const auto sets = setsOf(observer, solver.solid(), options.full ? 100'000 : 10'000);
+        const std::vector<Outcome> outcomes = solveAll(solver, observer, sets);
+        for (std::size_t s = 0; s < sets.size(); ++s) {
+            addOutcome(figures, illuminant, sets[s], outcomes[s]);
+            failed += outcomes[s].failed;
         }
     }
     addContinuity(figures, options.full ? 100'000 : 10'000);

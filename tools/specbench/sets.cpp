@@ -1,30 +1,16 @@
 #include "sets.h"
 
+#include "random_colors.h"
+
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <functional>
-#include <random>
 
 namespace specbake::bench {
 namespace {
 
-using Generator = std::mt19937_64;
-
 constexpr std::uint64_t kSeed = 20;
-
-/// A double in [low, high) from the 53 high bits: std::uniform_real_distribution may differ
-/// between libraries.
-double uniform(Generator& random, double low, double high) {
-    return low + (high - low) * double(random() >> 11) * 0x1p-53;
-}
-
-RGB uniformRGB(Generator& random, double low, double high) {
-    const double r = uniform(random, low, high);
-    const double g = uniform(random, low, high);
-    const double b = uniform(random, low, high);
-    return {r, g, b};
-}
 
 ColorSet drawn(std::string name, const Frame& frame, std::size_t count,
                const std::function<RGB(Generator&)>& draw) {
@@ -65,34 +51,22 @@ ColorSet lattice(const Frame& frame, std::size_t count) {
 
 /// Where the ray towards a random point of the box about the solid leaves it.
 XYZ boundaryColor(const Solid& solid, Generator& random) {
-    const XYZ& white = solid.white();
-    const RGB share = uniformRGB(random, 0, 1);
-    const XYZ inBox(share.x * white.x, share.y * white.y, share.z * white.z);
-    return XYZ(solid.center() + (inBox - solid.center()) / solid.gauge(inBox));
+    const XYZ color = inBox(solid, uniformRGB(random, 0, 1));
+    return XYZ(solid.center() + (color - solid.center()) / solid.gauge(color));
 }
 
 ColorSet uniformInSolid(const Solid& solid, std::size_t count) {
     Generator random(kSeed);
-    ColorSet set{.name = "solid", .colors = {}};
-    while (set.colors.size() < count) {
-        const RGB share = uniformRGB(random, 0, 1);
-        const XYZ& white = solid.white();
-        const XYZ color(share.x * white.x, share.y * white.y, share.z * white.z);
-        if (solid.gauge(color) <= 1) set.colors.push_back(color);
-    }
-    return set;
+    const auto draw = [&] { return inBox(solid, uniformRGB(random, 0, 1)); };
+    return {.name = "solid", .colors = firstInSolid(solid, count, draw)};
 }
 
 ColorSet cubeInSolid(std::string name, const char* space, const Frame& frame, const Solid& solid,
                      std::size_t count) {
     const Imath::M33d matrix = xyzFromRGB(*findColorSpace(space), frame.observer.white());
     Generator random(kSeed);
-    ColorSet set{.name = std::move(name), .colors = {}};
-    while (set.colors.size() < count) {
-        const XYZ color(uniformRGB(random, 0, 1) * matrix);
-        if (solid.gauge(color) <= 1) set.colors.push_back(color);
-    }
-    return set;
+    const auto draw = [&] { return XYZ(uniformRGB(random, 0, 1) * matrix); };
+    return {.name = std::move(name), .colors = firstInSolid(solid, count, draw)};
 }
 
 ColorSet justOutside(const Solid& solid, std::size_t count) {
