@@ -1,10 +1,9 @@
 #include "exr_input.h"
 
+#include "input_stream.h"
+
 #include <specbake/core/error.h>
 #include <specbake/image/image_types.h>
-
-#include <array>
-#include <fstream>
 
 namespace specbake {
 namespace {
@@ -12,18 +11,12 @@ namespace {
 void ignoreMessage(exr_const_context_t /*context*/, exr_result_t /*code*/, const char* /*text*/) {}
 
 /// The first four bytes (OpenEXR file layout): 20000630 in little-endian order.
-bool beginsAsExr(const std::string& path) {
-    constexpr std::array<char, 4> magic = {'\x76', '\x2f', '\x31', '\x01'};
-    std::array<char, 4> first{};
-    std::ifstream in(path, std::ios::binary);
-    in.read(first.data(), std::streamsize(first.size()));
-    return in && first == magic;
-}
+constexpr const char* kSignature = "\x76\x2f\x31\x01";
 
 }  // namespace
 
 ExrInput::ExrInput(std::string path) : path_(std::move(path)) {
-    if (!beginsAsExr(path_)) return;
+    if (!beginsWith(path_, kSignature)) return;
     exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
     options.error_handler_fn = ignoreMessage;
     options.max_image_width = kLargestSide;
