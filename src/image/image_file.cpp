@@ -9,6 +9,18 @@
 
 namespace specbake {
 
+void ImageFile::readRows(int first, int count, SampleType type, std::span<std::byte> samples) {
+    if (samples.size() < rowBytes(type) * std::size_t(count)) {
+        throw ArgumentError("a buffer too small for its rows");
+    }
+    unpackRows(first, count, type, samples);
+}
+
+std::size_t ImageFile::rowBytes(SampleType type) const {
+    return std::size_t(description_.data.width) * description_.channels.size() *
+           bytesPerSample(type);
+}
+
 std::unique_ptr<ImageFile> openImageFile(const std::string& path, int threads) {
     if (auto png = openPlainPng(path)) return png;
     if (auto jpeg = openPlainJpeg(path)) return jpeg;

@@ -3,6 +3,7 @@
 #include <specbake/image/image_types.h>
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -41,9 +42,17 @@ class ImageFile {
     /// Rows [first, first + count) of the data window, counted from 0, channels interleaved, as
     /// samples of the given type: the file's own, or float32. Throws FileError; ArgumentError for
     /// a buffer too small.
-    virtual void readRows(int first, int count, SampleType type, std::span<std::byte> samples) = 0;
+    void readRows(int first, int count, SampleType type, std::span<std::byte> samples);
+
+  protected:
+    /// Of one row, as samples of that type.
+    std::size_t rowBytes(SampleType type) const;
 
   private:
+    /// What readRows() promises, for a buffer of at least the size.
+    virtual void unpackRows(int first, int count, SampleType type,
+                            std::span<std::byte> samples) = 0;
+
     ImageDescription description_;
 };
 

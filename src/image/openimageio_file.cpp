@@ -86,11 +86,11 @@ class OpenImageIOFile : public ImageFile {
         return value->get_string();
     }
 
-    void readRows(int first, int count, SampleType type, std::span<std::byte> samples) override {
+  private:
+    void unpackRows(int first, int count, SampleType type, std::span<std::byte> samples) override {
         source_->read(first, count, descriptionOf(type), samples);
     }
 
-  private:
     std::unique_ptr<RowSource> source_;
 };
 

@@ -50,27 +50,23 @@ class PlainExr : public ImageFile {
         return found->second;
     }
 
-    void readRows(int first, int count, SampleType type, std::span<std::byte> samples) override {
+  private:
+    void unpackRows(int first, int count, SampleType type, std::span<std::byte> samples) override {
         const ImageDescription& d = description();
         if (type != d.sampleType && type != SampleType::float32) {
             throw ArgumentError("an EXR has floating-point samples");
         }
-        const std::size_t rowBytes =
-            std::size_t(d.data.width) * d.channels.size() * bytesPerSample(type);
-        if (samples.size() < rowBytes * std::size_t(count)) {
-            throw ArgumentError("a buffer too small for its rows");
-        }
+        const std::size_t bytes = rowBytes(type);
         for (int row = 0; row < count; ++row) {
             const int y = d.data.y + first + row;
-            if (type != type_ || y < chunkFirst_ || y >= chunkEnd_) unpackChunk(y, type, rowBytes);
-            std::memcpy(samples.data() + rowBytes * std::size_t(row),
-                        chunk_.data() + rowBytes * std::size_t(y - chunkFirst_), rowBytes);
+            if (type != type_ || y < chunkFirst_ || y >= chunkEnd_) unpackChunk(y, type);
+            std::memcpy(samples.data() + bytes * std::size_t(row),
+                        chunk_.data() + bytes * std::size_t(y - chunkFirst_), bytes);
         }
     }
 
-  private:
     /// The chunk that holds row y, as interleaved samples of that type, into chunk_.
-    void unpackChunk(int y, SampleType type, std::size_t rowBytes) {
+    void unpackChunk(int y, SampleType type) {
         exr_chunk_info_t info{};
         input_.check(exr_read_scanline_chunk_info(input_.get(), 0, y, &info));
         if (info.width != description().data.width || y < info.start_y ||
@@ -78,7 +74,7 @@ class PlainExr : public ImageFile {
             throw FileError(path_, "damaged: a chunk of another place");
         }
         chunkEnd_ = chunkFirst_;  // none, should this throw
-        chunk_.resize(rowBytes * std::size_t(info.height));
+        chunk_.resize(rowBytes(type) * std::size_t(info.height));
         Decoder decoder(input_, info);
         const std::vector<std::string>& names = description().channels;
         for (exr_coding_channel_info_t& channel : decoder.channels()) {
@@ -90,7 +86,7 @@ class PlainExr : public ImageFile {
             channel.user_data_type =
                 std::uint16_t(type == SampleType::half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT);
             channel.user_pixel_stride = std::int32_t(names.size() * bytesPerSample(type));
-            channel.user_line_stride = std::int32_t(rowBytes);
+            channel.user_line_stride = std::int32_t(rowBytes(type));
         }
         decoder.run();
         chunkFirst_ = info.start_y;

@@ -25,7 +25,8 @@ class RowSource {
     const OIIO::ImageSpec& spec() const { return input_->spec(); }
     OIIO::ImageInput& input() { return *input_; }
 
-    /// Rows [first, first + count), counted from 0, as samples of that type. Throws FileError.
+    /// Rows [first, first + count), counted from 0, as samples of that type, for which there must
+    /// be room. Throws FileError.
     void read(int first, int count, const OIIO::TypeDesc& type, std::span<std::byte> samples);
 
   private:

@@ -23,8 +23,7 @@ class SequentialFile : public ImageFile {
         : ImageFile(decoder->description()),
           path_(std::move(path)),
           decoder_(std::move(decoder)),
-          skipped_(std::size_t(description().data.width) * description().channels.size() *
-                   bytesPerSample(description().sampleType)) {}
+          skipped_(rowBytes(description().sampleType)) {}
 
     std::optional<std::string> text(const std::string& attribute) const override {
         const auto found = description().attributes.find(attribute);
@@ -33,23 +32,19 @@ class SequentialFile : public ImageFile {
         return text == nullptr ? std::optional<std::string>() : *text;
     }
 
-    void readRows(int first, int count, SampleType type, std::span<std::byte> samples) override {
-        const std::size_t rowBytes = skipped_.size();
+  private:
+    void unpackRows(int first, int count, SampleType type, std::span<std::byte> samples) override {
         if (type != description().sampleType) throw ArgumentError("samples of another type");
-        if (samples.size() < rowBytes * std::size_t(count)) {
-            throw ArgumentError("a buffer too small for its rows");
-        }
         if (first < nextRow_) {
             decoder_ = std::make_unique<Decoder>(path_);
             nextRow_ = 0;
         }
         for (; nextRow_ < first; ++nextRow_) decoder_->readRow(skipped_.data());
         for (int row = 0; row < count; ++row, ++nextRow_) {
-            decoder_->readRow(samples.data() + std::size_t(row) * rowBytes);
+            decoder_->readRow(samples.data() + std::size_t(row) * skipped_.size());
         }
     }
 
-  private:
     std::string path_;
     std::unique_ptr<Decoder> decoder_;
     std::vector<std::byte> skipped_;  ///< a row that nobody asked for
