@@ -32,18 +32,9 @@ JpegDecoder::JpegDecoder(const std::string& path) : path_(path), stream_(openStr
     jpeg_.err = jpeg_std_error(&errors_.manager);
     errors_.manager.error_exit = onError;
     errors_.manager.emit_message = onMessage;
-    try {
-        readHeader();
-    } catch (...) {
-        jpeg_destroy_decompress(&jpeg_);
-        throw;
-    }
+    readHeader();
     describe();
     readMarkers();
-}
-
-JpegDecoder::~JpegDecoder() {
-    jpeg_destroy_decompress(&jpeg_);
 }
 
 void JpegDecoder::readHeader() {

@@ -17,7 +17,6 @@ class JpegDecoder {
   public:
     /// Throws FileError for what is no JPEG, or none of bounded size.
     explicit JpegDecoder(const std::string& path);
-    ~JpegDecoder();
     JpegDecoder(const JpegDecoder&) = delete;
     JpegDecoder& operator=(const JpegDecoder&) = delete;
 
@@ -36,6 +35,13 @@ class JpegDecoder {
         std::jmp_buf leave;
         std::array<char, JMSG_LENGTH_MAX> message;
     };
+    /// All zero, as jpeg_destroy_decompress() wants one that was not created.
+    struct Decompressor : jpeg_decompress_struct {
+        Decompressor() : jpeg_decompress_struct{} {}
+        ~Decompressor() { jpeg_destroy_decompress(this); }
+        Decompressor(const Decompressor&) = delete;
+        Decompressor& operator=(const Decompressor&) = delete;
+    };
     template <class Call>
     void guarded(Call&& call);
     [[noreturn]] void fail() const;
@@ -48,7 +54,7 @@ class JpegDecoder {
     std::string path_;
     InputStream stream_;
     Errors errors_{};
-    jpeg_decompress_struct jpeg_{};
+    Decompressor jpeg_;
     ImageDescription description_;
     bool plain_ = true;
 };

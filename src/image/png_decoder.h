@@ -16,7 +16,6 @@ class PngDecoder {
   public:
     /// Throws FileError for what is no PNG, or none of bounded size.
     explicit PngDecoder(const std::string& path);
-    ~PngDecoder();
     PngDecoder(const PngDecoder&) = delete;
     PngDecoder& operator=(const PngDecoder&) = delete;
 
@@ -31,6 +30,16 @@ class PngDecoder {
     void readRow(std::byte* samples);
 
   private:
+    /// What libpng calls its read struct and its info struct.
+    struct Structs {
+        Structs() = default;
+        ~Structs() { png_destroy_read_struct(&read, &info, nullptr); }
+        Structs(const Structs&) = delete;
+        Structs& operator=(const Structs&) = delete;
+
+        png_structp read = nullptr;
+        png_infop info = nullptr;
+    };
     template <class Call>
     void guarded(Call&& call);
     [[noreturn]] void fail() const;
@@ -42,9 +51,8 @@ class PngDecoder {
 
     std::string path_;
     InputStream stream_;
-    png_structp png_ = nullptr;
-    png_infop info_ = nullptr;
     std::array<char, 128> message_{};  ///< what libpng said last
+    Structs png_;
     ImageDescription description_;
     bool hasRichMetadata_ = false;
     int rowsRead_ = 0;
