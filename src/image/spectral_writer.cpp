@@ -72,16 +72,8 @@ int SpectralWriter::chunkCount() const {
     return levels().back().firstChunk + levels().back().count();
 }
 
-int SpectralWriter::chunkFirstRow(int chunk) const {
-    return implementation_->texels(chunk).y;
-}
-
-int SpectralWriter::chunkRows(int chunk) const {
-    return implementation_->texels(chunk).height;
-}
-
 std::size_t SpectralWriter::chunkBytes(int chunk) const {
-    return std::size_t(chunkRows(chunk)) * std::size_t(channelCount()) *
+    return std::size_t(implementation_->texels(chunk).height) * std::size_t(channelCount()) *
            implementation_->planeRowBytes(chunk);
 }
 

@@ -32,9 +32,7 @@ class SpectralWriter {
     int channelCount() const;
     int chunkCount() const;                        ///< of all levels
     const std::vector<ChunkGrid>& levels() const;  ///< the image itself first
-    int chunkFirstRow(int chunk) const;            ///< in its level, counted from 0
-    int chunkRows(int chunk) const;
-    std::size_t chunkBytes(int chunk) const;  ///< of its samples
+    std::size_t chunkBytes(int chunk) const;       ///< of its samples
 
     /// A chunk's samples to the bytes that stand in the file, in the same memory. The samples lie
     /// row by row, within a row channel by channel (channelNames()), each channel's row contiguous.
