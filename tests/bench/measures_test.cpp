@@ -1,6 +1,5 @@
 #include "measures.h"
 
-#include "half_bits.h"
 #include "methods/mallett2019.h"
 #include "statistics.h"
 
@@ -8,7 +7,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 using namespace specbake;
 using namespace specbake::bench;
@@ -154,23 +152,4 @@ TEST_CASE("a light of a table: its white has Y = 1, equal energy is E") {
     CHECK(std::abs(chromaticity(led.white).y - 0.3723) < 1e-3);
     const Light e = lightOf(Observer("E"));
     CHECK(e.color(constantSpectrum(1)) == Observer("E").white());
-}
-
-TEST_CASE("mantissa bits: nearest, ties to even, never further than half a unit") {
-    std::mt19937_64 random(3);
-    for (int bits = 1; bits <= kHalfBits; ++bits) {
-        Spectrum s;
-        for (double& v : s) v = 0.01 + 0.99 * double(random() >> 11) * 0x1p-53;
-        const Spectrum r = roundedToBits(s, bits);
-        CHECK(roundedToBits(r, bits) == r);
-        for (std::size_t m = 0; m < s.size(); ++m) {
-            // half a unit of the last bit, after the half's own rounding
-            const double bound = std::ldexp(s[m], -bits - 1) + std::ldexp(s[m], -kHalfBits - 1);
-            CHECK(std::abs(r[m] - s[m]) <= bound);
-        }
-    }
-    CHECK(roundedToBits(constantSpectrum(1), 1) == constantSpectrum(1));
-    CHECK(roundedToBits(constantSpectrum(0), 4) == constantSpectrum(0));
-    CHECK(roundedToBits(constantSpectrum(1.25 / 2), 1) == constantSpectrum(0.5));  // tie, to even
-    CHECK(roundedToBits(constantSpectrum(1.75 / 2), 1) == constantSpectrum(1));    // tie, carries
 }

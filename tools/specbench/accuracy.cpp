@@ -32,8 +32,8 @@ std::vector<Light> lights(const Options& options) {
 
 ColorSet colorsOf(const std::string& texturePath, const Frame& frame, std::size_t count) {
     ColorSet set{.name = std::filesystem::path(texturePath).filename().string(), .colors = {}};
-    for (const Imath::V3f& c : distinctColors(readTexture(texturePath), count)) {
-        set.colors.push_back(frame.xyz(RGB(c)));
+    for (const RGB& color : distinctColors(texturePath, count)) {
+        set.colors.push_back(frame.xyz(color));
     }
     return set;
 }

@@ -1,6 +1,6 @@
 #include "commands.h"
 #include "figures.h"
-#include "half_bits.h"
+#include "mantissa.h"
 #include "measures.h"
 #include "methods/grid_method.h"
 #include "methods/solver_method.h"
@@ -14,13 +14,17 @@
 #include <specbake/core/node_values.h>
 #include <specbake/core/shell.h>
 
+#include <Imath/half.h>
+
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <span>
 
 namespace specbake::bench {
 namespace {
 
 constexpr int kGrids[] = {5, 9, 13, 17, 25, 33, 65};
-constexpr int kFewestBits = 4;
 constexpr std::size_t kBakes = 5;    // of which the median counts
 constexpr double kBakesSeconds = 1;  // after which there are no more
 
@@ -46,8 +50,8 @@ std::vector<Scene> scenesOf(const Options& options, const Frame& frame) {
     }
     for (const std::string& path : options.allTextures()) {
         scenes.push_back({std::filesystem::path(path).filename().string(), {}, path});
-        for (const Imath::V3f& c : distinctColors(readTexture(path), options.colors())) {
-            scenes.back().colors.push_back(frame.xyz(RGB(c)));
+        for (const RGB& color : distinctColors(path, options.colors())) {
+            scenes.back().colors.push_back(frame.xyz(color));
         }
     }
     return scenes;
@@ -57,6 +61,17 @@ std::vector<Spectrum> spectraOf(const Method& method, const std::vector<XYZ>& co
     std::vector<Spectrum> spectra;
     for (const XYZ& color : colors) spectra.push_back(method.reconstruct(color).spectrum);
     return spectra;
+}
+
+/// What a spectrum becomes when it is stored as halves with so many bits of mantissa.
+Spectrum storedAsHalves(const Spectrum& spectrum, int bits) {
+    std::array<Imath::half, kBandCount> halves;
+    std::ranges::transform(spectrum, halves.begin(),
+                           [](double v) { return Imath::half(float(v)); });
+    roundMantissa(std::as_writable_bytes(std::span(halves)), bits);
+    Spectrum stored;
+    std::ranges::copy(halves, stored.begin());
+    return stored;
 }
 
 class Run {
@@ -96,7 +111,7 @@ class Run {
         for (std::size_t i = 0; i < scenes_.size(); ++i) {
             const auto add = adder(scenes_[i], name, bits, "mantissa bits");
             std::vector<Spectrum> rounded = direct_[i];
-            for (Spectrum& s : rounded) s = roundedToBits(s, bits);
+            for (Spectrum& s : rounded) s = storedAsHalves(s, bits);
             addDeviation(direct_[i], rounded, add);
             addBake(scenes_[i].texture, bakeOptions, add);
         }
@@ -165,10 +180,10 @@ class Run {
 
 void runScene(const Options& options) {
     std::filesystem::create_directories(options.out);
-    Progress progress("scene", std::size(kGrids) + kHalfBits - kFewestBits + 1);
+    Progress progress("scene", std::size(kGrids) + kHalfMantissaBits - kFewestMantissaBits + 1);
     Run run(options, progress);
     for (const int nodes : kGrids) run.measureGrid(nodes);
-    for (int bits = kFewestBits; bits <= kHalfBits; ++bits) run.measureBits(bits);
+    for (int bits = kFewestMantissaBits; bits <= kHalfMantissaBits; ++bits) run.measureBits(bits);
     run.write();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Imath/ImathVec.h>
+#include <specbake/core/color.h>
 
 #include <cstddef>
 #include <string>
@@ -8,17 +8,8 @@
 
 namespace specbake::bench {
 
-/// A texture's linear RGB, row by row.
-struct Texture {
-    std::string path;
-    int width = 0, height = 0;
-    std::vector<Imath::V3f> texels;
-};
-
-/// Of sRGB or linear Rec.709, since the frame of the charts is sRGB's. Throws FileError.
-Texture readTexture(const std::string& path);
-
-/// The different colours of a texture, at most `count` of them, evenly thinned.
-std::vector<Imath::V3f> distinctColors(const Texture& texture, std::size_t count);
+/// The different colours of a texture, at most `count` of them, evenly thinned. The texture is of
+/// sRGB or linear Rec.709, since the frame of the charts is sRGB's. Throws FileError.
+std::vector<RGB> distinctColors(const std::string& texture, std::size_t count);
 
 }  // namespace specbake::bench
