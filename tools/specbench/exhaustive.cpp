@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -168,6 +169,11 @@ struct Pair {
     RGB a, b;
 };
 
+struct PairSet {
+    const char* name;
+    std::vector<Pair> pairs;
+};
+
 RGB randomStep(Generator& random, double length) {
     RGB step;
     do {
@@ -182,18 +188,18 @@ bool inCube(const RGB& rgb) {
 
 /// Pairs 1e-4 apart: anywhere in the cube, across faces of the grid's cells, across those of the
 /// cube.
-std::array<std::pair<const char*, std::vector<Pair>>, 3> pairSets(std::size_t count) {
+std::array<PairSet, 3> pairSets(std::size_t count) {
     constexpr double distance = 1e-4;
     constexpr int cells = 16;
     Generator random(3);
-    std::array<std::pair<const char*, std::vector<Pair>>, 3> sets = {
+    std::array<PairSet, 3> sets = {
         {{"in the sRGB cube", {}}, {"across cells", {}}, {"across the cube's faces", {}}}};
-    for (std::size_t i = 0; sets[0].second.size() < count; ++i) {
+    for (std::size_t i = 0; sets[0].pairs.size() < count; ++i) {
         RGB rgb = blueFirst(random, 0, 1);
         const RGB half = randomStep(random, distance / 2);
         if (!inCube(RGB(rgb - half)) || !inCube(RGB(rgb + half))) continue;
         const auto add = [&](std::size_t set) {
-            sets[set].second.push_back({RGB(rgb - half), RGB(rgb + half)});
+            sets[set].pairs.push_back({RGB(rgb - half), RGB(rgb + half)});
         };
         add(0);
         const int axis = int(i % 3);
@@ -211,20 +217,20 @@ void addContinuity(Figures& figures, std::size_t count) {
     BakedTexel baked(frame, solver);
     const auto directly = [&](const RGB& rgb) { return solver.solve(frame.xyz(rgb)).spectrum; };
     const auto throughGrid = [&](const RGB& rgb) { return baked.at(rgb); };
-    for (const auto& [name, pairs] : pairSets(count)) {
+    for (const PairSet& set : pairSets(count)) {
         const auto measure = [&](const char* way, const auto& spectrumOf) {
             std::vector<double> slopes;
-            for (const Pair& pair : pairs) {
+            for (const Pair& pair : set.pairs) {
                 slopes.push_back(maxDifference(spectrumOf(pair.a), spectrumOf(pair.b)) /
                                  (pair.a - pair.b).length());
             }
             const double high = quantile(slopes, 0.999);
-            fmt::print("{:<24} {:<10} slope: p99.9 {:.3g}, max {:.3g}\n", name, way, high,
+            fmt::print("{:<24} {:<10} slope: p99.9 {:.3g}, max {:.3g}\n", set.name, way, high,
                        largest(slopes));
             const MethodName method{"smooth", way};
-            figures.add({name, method, "slope p99.9", high, "reflectance per RGB", {}, ""});
+            figures.add({set.name, method, "slope p99.9", high, "reflectance per RGB", {}, ""});
             figures.add(
-                {name, method, "slope max", largest(slopes), "reflectance per RGB", {}, ""});
+                {set.name, method, "slope max", largest(slopes), "reflectance per RGB", {}, ""});
         };
         measure("direct", directly);
         measure("grid 17", throughGrid);
