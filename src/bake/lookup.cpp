@@ -90,16 +90,11 @@ void SpectrumLookup::locateRun(std::span<const Color> colors, std::size_t firstT
     std::array<std::array<std::uint32_t, 4>, kRun> nodes;
     std::array<std::array<float, 4>, kRun> weights;
     const bool wholly = lattice_ && !gridFromTexel_ && lattice_->margin.wholeCube();
-    if (wholly) lattice_->grid.locate(colors, nodes, weights);
-    bool inGrid = false;
+    const bool allInCube = wholly && lattice_->grid.locate(colors, nodes, weights);
     Found found;
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        if (inGrid && nodes[i] == nodes[i - 1] && isInUnitCube(colors[i])) {
-            mixes[i] = {mixes[i - 1].values, weights[i]};
-            continue;
-        }
-        inGrid = wholly && isInUnitCube(colors[i]) && lattice_->store.at(nodes[i], mixes[i].values);
-        if (inGrid) {
+        const bool inCube = allInCube || (wholly && isInUnitCube(colors[i]));
+        if (inCube && lattice_->store.at(nodes[i], mixes[i].values)) {
             mixes[i].weights = weights[i];
             continue;
         }

@@ -7,25 +7,26 @@
 
 namespace specbake {
 
-GridAxis::GridAxis(int nodes) {
+GridAxis::GridAxis(int nodes) : nodes_(nodes) {
     if (nodes < kFewestNodes || nodes > kMostNodes) {
         throw ArgumentError("a grid has 2 to 129 nodes an axis, not " + std::to_string(nodes));
     }
-    cells_ = float(nodes - 1);
+    position_.resize(std::max(std::size_t(nodes), kShortestTable));
     for (int i = 0; i < nodes; ++i) {
         const double u = double(i) / (nodes - 1);
-        position_.push_back(float(u * u));
+        position_[std::size_t(i)] = float(u * u);
     }
+    inverseWidth_.resize(position_.size());
     for (int i = 0; i + 1 < nodes; ++i) {
-        inverseWidth_.push_back(float(1 / (double(position(i + 1)) - double(position(i)))));
+        const double width = double(position(i + 1)) - double(position(i));
+        inverseWidth_[std::size_t(i)] = float(1 / width);
     }
 }
 
 GridAxis::Place GridAxis::locate(float coordinate) const {
-    const float u = std::sqrt(std::clamp(coordinate, 0.0F, 1.0F)) * cells_;
-    int cell = std::min(int(u), nodes() - 2);
-    // The root is rounded: the node decides.
-    if (coordinate < position(cell) && cell > 0) --cell;
+    const float u = std::sqrt(std::clamp(coordinate, 0.0F, 1.0F)) * cells();
+    const int cell = std::min(int(u), nodes() - 2);
+    // Below 0 by a rounding error where the root was rounded up to the node: then at the node.
     const float fraction = (coordinate - position(cell)) * inverseWidth_[std::size_t(cell)];
     return {cell, std::clamp(fraction, 0.0F, 1.0F)};
 }

@@ -32,18 +32,27 @@ HWY_INLINE Vector clamped(Vector v) {
     return hn::Min(hn::Max(v, hn::Zero(kFloats)), hn::Set(kFloats, 1.0F));
 }
 
+/// The values of `cell` in one of the axis's tables. `few`: no more cells than lanes, so that a
+/// register holds them.
+template <bool few>
+HWY_INLINE Vector valuesOf(IntVector cell, std::span<const float> table) {
+    static_assert(kLanes <= GridAxis::kShortestTable);
+    if constexpr (few) {
+        const Vector all = hn::LoadU(kFloats, table.data());
+        return hn::TableLookupLanes(all, hn::IndicesFromVec(kFloats, cell));
+    } else {
+        return hn::GatherIndex(kFloats, table.data(), cell);
+    }
+}
+
 /// As GridAxis::locate(), operation by operation.
+template <bool few>
 HWY_INLINE Places locate(const GridAxis& axis, Vector coordinate) {
-    const float* position = axis.positions().data();
     const Vector u = hn::Mul(hn::Sqrt(clamped(coordinate)), hn::Set(kFloats, axis.cells()));
     IntVector cell = hn::Max(hn::ConvertTo(kInts, u), hn::Zero(kInts));  // NaN, too, has a cell
     cell = hn::Min(cell, hn::Set(kInts, std::int32_t(axis.nodes() - 2)));
-    // True is -1. No coordinate lies below the first node: clamped, it is not negative.
-    const auto below = hn::Lt(clamped(coordinate), hn::GatherIndex(kFloats, position, cell));
-    cell = hn::Add(cell, hn::BitCast(kInts, hn::VecFromMask(kFloats, below)));
-    const Vector offset = hn::Sub(coordinate, hn::GatherIndex(kFloats, position, cell));
-    const Vector inverseWidth = hn::GatherIndex(kFloats, axis.inverseWidths().data(), cell);
-    return {cell, clamped(hn::Mul(offset, inverseWidth))};
+    const Vector offset = hn::Sub(coordinate, valuesOf<few>(cell, axis.positions()));
+    return {cell, clamped(hn::Mul(offset, valuesOf<few>(cell, axis.inverseWidths())))};
 }
 
 /// An edge of the cell for each lane: how far along it the point lies, and the step to its node.
@@ -63,14 +72,20 @@ HWY_INLINE void order(Edges& first, Edges& second) {
               hn::IfThenElse(swapInts, a.stride, second.stride)};
 }
 
-/// kLanes points, as Grid::locate() does one.
-HWY_INLINE void locateLanes(const GridAxis& axis, const float* points, std::uint32_t* nodes,
+HWY_INLINE bool inUnitRange(Vector v) {
+    const auto inside = hn::And(hn::Ge(v, hn::Zero(kFloats)), hn::Le(v, hn::Set(kFloats, 1.0F)));
+    return hn::AllTrue(kFloats, inside);
+}
+
+/// kLanes points, as Grid::locate() does one. Returns whether all lie in the cube.
+template <bool few>
+HWY_INLINE bool locateLanes(const GridAxis& axis, const float* points, std::uint32_t* nodes,
                             float* weights) {
     Vector x, y, z;
     hn::LoadInterleaved3(kFloats, points, x, y, z);
-    const Places px = locate(axis, x);
-    const Places py = locate(axis, y);
-    const Places pz = locate(axis, z);
+    const Places px = locate<few>(axis, x);
+    const Places py = locate<few>(axis, y);
+    const Places pz = locate<few>(axis, z);
     const IntVector n = hn::Set(kInts, std::int32_t(axis.nodes()));
     Edges first{px.fraction, hn::Mul(n, n)};
     Edges second{py.fraction, n};
@@ -90,22 +105,33 @@ HWY_INLINE void locateLanes(const GridAxis& axis, const float* points, std::uint
     hn::StoreInterleaved4(
         hn::Sub(hn::Set(kFloats, 1.0F), first.fraction), hn::Sub(first.fraction, second.fraction),
         hn::Sub(second.fraction, third.fraction), third.fraction, kFloats, weights);
+    return inUnitRange(x) && inUnitRange(y) && inUnitRange(z);
 }
 
-void locateRow(const GridAxis& axis, std::span<const std::array<float, 3>> points,
+template <bool few>
+bool locateAll(const GridAxis& axis, std::span<const std::array<float, 3>> points,
                std::array<std::uint32_t, 4>* nodes, std::array<float, 4>* weights) {
+    bool inCube = true;
     std::size_t i = 0;
     for (; i + kLanes <= points.size(); i += kLanes) {
-        locateLanes(axis, points[i].data(), nodes[i].data(), weights[i].data());
+        inCube &= locateLanes<few>(axis, points[i].data(), nodes[i].data(), weights[i].data());
     }
-    if (i == points.size()) return;
+    if (i == points.size()) return inCube;
     std::array<std::array<float, 3>, kLanes> rest{};
     std::array<std::array<std::uint32_t, 4>, kLanes> restNodes;
     std::array<std::array<float, 4>, kLanes> restWeights;
     std::copy(points.begin() + std::ptrdiff_t(i), points.end(), rest.begin());
-    locateLanes(axis, rest[0].data(), restNodes[0].data(), restWeights[0].data());
+    inCube &= locateLanes<few>(axis, rest[0].data(), restNodes[0].data(), restWeights[0].data());
     std::copy_n(restNodes.begin(), points.size() - i, nodes + i);
     std::copy_n(restWeights.begin(), points.size() - i, weights + i);
+    return inCube;
+}
+
+bool locateRow(const GridAxis& axis, std::span<const std::array<float, 3>> points,
+               std::array<std::uint32_t, 4>* nodes, std::array<float, 4>* weights) {
+    const bool few = std::size_t(axis.nodes() - 1) <= kLanes;
+    return few ? locateAll<true>(axis, points, nodes, weights)
+               : locateAll<false>(axis, points, nodes, weights);
 }
 
 }  // namespace
@@ -118,10 +144,10 @@ namespace {
 HWY_EXPORT(locateRow);
 }  // namespace
 
-void Grid::locate(std::span<const std::array<float, 3>> points,
+bool Grid::locate(std::span<const std::array<float, 3>> points,
                   std::span<std::array<std::uint32_t, 4>> nodes,
                   std::span<std::array<float, 4>> weights) const {
-    HWY_DYNAMIC_DISPATCH(locateRow)(axis_, points, nodes.data(), weights.data());
+    return HWY_DYNAMIC_DISPATCH(locateRow)(axis_, points, nodes.data(), weights.data());
 }
 
 }  // namespace specbake

@@ -18,12 +18,16 @@ class GridAxis {
     /// Throws ArgumentError unless kFewestNodes <= nodes <= kMostNodes.
     explicit GridAxis(int nodes);
 
-    int nodes() const { return int(position_.size()); }
+    int nodes() const { return nodes_; }
+    float cells() const { return float(nodes_ - 1); }
     float position(int node) const { return position_[std::size_t(node)]; }
+
+    /// Tables have kShortestTable values at least, so that registers load them whole; those beyond
+    /// the axis are 0.
+    static constexpr std::size_t kShortestTable = 16;
     std::span<const float> positions() const { return position_; }
     /// 1 / (position(i + 1) - position(i)) of cell i.
     std::span<const float> inverseWidths() const { return inverseWidth_; }
-    float cells() const { return cells_; }
 
     struct Place {
         int cell;        ///< the cell between nodes `cell` and `cell + 1`
@@ -33,9 +37,9 @@ class GridAxis {
     Place locate(float coordinate) const;
 
   private:
+    int nodes_;
     std::vector<float> position_;
     std::vector<float> inverseWidth_;
-    float cells_;
 };
 
 /// A point of the unit cube as a convex combination of four nodes: the corners of one of the six
@@ -61,9 +65,9 @@ class Grid {
 
     /// The tetrahedron of a point; each coordinate in [0, 1].
     GridSimplex locate(const std::array<float, 3>& point) const;
-    /// The same for many points, much faster: the same bits. Coordinates outside [0, 1] are
-    /// clamped, NaN gives any tetrahedron.
-    void locate(std::span<const std::array<float, 3>> points,
+    /// The same for many points, much faster: the same bits. Returns whether all lie in the cube;
+    /// coordinates outside [0, 1] are clamped, NaN gives any tetrahedron.
+    bool locate(std::span<const std::array<float, 3>> points,
                 std::span<std::array<std::uint32_t, 4>> nodes,
                 std::span<std::array<float, 4>> weights) const;
 

@@ -28,14 +28,14 @@ class NodeStore {
     using Simplex = std::array<std::uint32_t, 4>;
     /// The values of four nodes; false where one has none.
     bool at(const Simplex& nodes, std::array<const float*, 4>& values) {
-        const auto* const state = state_.get();
-        const NodeValues* const all = values_.get();
-        bool there = true;
-        for (std::size_t k = 0; k < 4; ++k) {
-            there &= state[nodes[k]].load(std::memory_order_acquire) == present;
-            values[k] = all[nodes[k]].value.data();
-        }
-        return there || findOrWait(nodes, values);
+        const auto there = [this, &nodes](std::size_t k) {
+            return state_[nodes[k]].load(std::memory_order_acquire) == present;
+        };
+        const auto at = [all = values_.get(), &nodes](std::size_t k) {
+            return all[nodes[k]].value.data();
+        };
+        values = {at(0), at(1), at(2), at(3)};
+        return (there(0) & there(1) & there(2) & there(3)) || findOrWait(nodes, values);
     }
 
     /// How many nodes were asked for so far.
