@@ -6,6 +6,7 @@
 
 namespace specbake {
 
+inline constexpr std::size_t kShortestMatch = 3;
 inline constexpr std::size_t kLongestMatch = 258;
 inline constexpr std::size_t kEndOfBlock = 256;
 inline constexpr std::size_t kLiteralCodes = 286;
