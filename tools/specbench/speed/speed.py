@@ -40,15 +40,23 @@ def run(command):
             "memory": usage.ru_maxrss / 1024}
 
 
+def clear(path):
+    """No file there, and none that the disk is still busy with: replacing one would wait for it."""
+    path.unlink(missing_ok=True)
+    os.sync()
+
+
 class WriteAgain:
     """OpenImageIO, writing the pixels of a file from memory."""
 
     def __init__(self, program, source, target, compression):
+        self.target = target
         self.process = subprocess.Popen([program, source, target, compression], text=True,
                                         stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         self.process.stdout.readline()
 
     def seconds(self):
+        clear(self.target)
         self.process.stdin.write("\n")
         self.process.stdin.flush()
         return float(self.process.stdout.readline())
@@ -64,6 +72,7 @@ class Bench:
         self.baked, self.written = work / "baked.exr", work / "written.exr"
 
     def bake(self, texture, *options):
+        clear(self.baked)
         return run([self.build / "specbake", "bake", "-q", texture, "-o", self.baked, *options])
 
     def whole_bake(self, texture, compression, pairs):
@@ -91,7 +100,7 @@ class Bench:
         ratios = []
         for _ in range(pairs):
             ours = self.bake(texture, "--compression", "none")["wall"]
-            self.written.unlink(missing_ok=True)
+            clear(self.written)
             ratios.append(ours / run(["cp", self.baked, self.written])["wall"])
         return statistics.median(ratios)
 
