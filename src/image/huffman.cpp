@@ -52,10 +52,13 @@ std::vector<std::uint32_t> depthsUpTo(std::uint32_t longest, std::vector<std::ui
     return result;
 }
 
+/// A word of `length` bits, 1 to 32, with its bits in the other order.
 std::uint32_t reversed(std::uint32_t word, std::uint32_t length) {
-    std::uint32_t result = 0;
-    for (std::uint32_t i = 0; i < length; ++i) result |= (word >> i & 1) << (length - 1 - i);
-    return result;
+    word = (word & 0x55555555) << 1 | (word >> 1 & 0x55555555);
+    word = (word & 0x33333333) << 2 | (word >> 2 & 0x33333333);
+    word = (word & 0x0F0F0F0F) << 4 | (word >> 4 & 0x0F0F0F0F);
+    word = (word & 0x00FF00FF) << 8 | (word >> 8 & 0x00FF00FF);
+    return (word << 16 | word >> 16) >> (32 - length);
 }
 
 void assignWords(std::vector<CodeWord>& code, std::uint32_t longest) {

@@ -1,6 +1,7 @@
 #include "zip_packer.h"
 
 #include "row_deflate.h"
+#include "zip_predictor.h"
 
 #include <specbake/image/spectral_layout.h>
 
@@ -14,34 +15,6 @@ namespace specbake {
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
-
-/// Every second byte of `from`, `count` of them, as differences; the first one's is to `before`.
-void predict(const std::uint8_t* from, std::size_t count, std::uint8_t before, std::uint8_t* to) {
-    if (count == 0) return;
-    to[0] = std::uint8_t(from[0] - before + 128);
-    for (std::size_t i = 1; i < count; ++i) {
-        to[i] = std::uint8_t(from[2 * i] - from[2 * i - 2] + 128);
-    }
-}
-
-/// "reordering and predictor" of the OpenEXR file layout document.
-void splitAndPredict(Bytes samples, std::vector<std::uint8_t>& predicted) {
-    const std::size_t even = (samples.size() + 1) / 2;
-    predicted.resize(samples.size());
-    predict(samples.data(), even, 128, predicted.data());  // the first byte stays as it is
-    if (samples.size() < 2) return;
-    predict(samples.data() + 1, samples.size() / 2, samples[2 * even - 2], predicted.data() + even);
-}
-
-/// Undoes splitAndPredict().
-void restore(Bytes predicted, std::span<std::uint8_t> samples) {
-    const std::size_t even = (samples.size() + 1) / 2;
-    std::uint8_t last = 128;
-    for (std::size_t i = 0; i < predicted.size(); ++i) {
-        last = std::uint8_t(last + predicted[i] - 128);
-        samples[i < even ? 2 * i : 2 * (i - even) + 1] = last;
-    }
-}
 
 /// The size of the packed bytes; 0 if they do not fit.
 std::size_t deflateSmall(Bytes bytes, int level, std::span<std::uint8_t> packed) {
@@ -63,6 +36,7 @@ std::size_t deflate(Bytes bytes, std::size_t rowLength, int level, std::span<std
 void packZip(std::vector<std::byte>& samples, std::size_t rowBytes, int level) {
     thread_local std::vector<std::uint8_t> predicted;  // fresh pages cost as much as the prediction
     const std::size_t size = samples.size();
+    predicted.resize(size);
     splitAndPredict({reinterpret_cast<const std::uint8_t*>(samples.data()), size}, predicted);
     samples.resize(rowDeflateBound(size));
     const std::span bytes(reinterpret_cast<std::uint8_t*>(samples.data()), samples.size());

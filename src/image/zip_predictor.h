@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace specbake {
+
+/// "Reordering and predictor" of the OpenEXR file layout document: the bytes at even places, then
+/// those at odd ones, each as its difference to the one before it, plus 128. The first stays as it
+/// is. Both spans are as long, and apart.
+void splitAndPredict(std::span<const std::uint8_t> samples, std::span<std::uint8_t> predicted);
+
+/// Undoes splitAndPredict().
+void restore(std::span<const std::uint8_t> predicted, std::span<std::uint8_t> samples);
+
+}  // namespace specbake
