@@ -32,12 +32,12 @@ HWY_INLINE Vector clamped(Vector v) {
     return hn::Min(hn::Max(v, hn::Zero(kFloats)), hn::Set(kFloats, 1.0F));
 }
 
-/// The values of `cell` in one of the axis's tables. `few`: no more cells than lanes, so that a
+/// The values of `cell` in one of the axis's tables. `Few`: no more cells than lanes, so that a
 /// register holds them.
-template <bool few>
+template <bool Few>
 HWY_INLINE Vector valuesOf(IntVector cell, std::span<const float> table) {
     static_assert(kLanes <= GridAxis::kShortestTable);
-    if constexpr (few) {
+    if constexpr (Few) {
         const Vector all = hn::LoadU(kFloats, table.data());
         return hn::TableLookupLanes(all, hn::IndicesFromVec(kFloats, cell));
     } else {
@@ -46,13 +46,13 @@ HWY_INLINE Vector valuesOf(IntVector cell, std::span<const float> table) {
 }
 
 /// As GridAxis::locate(), operation by operation.
-template <bool few>
+template <bool Few>
 HWY_INLINE Places locate(const GridAxis& axis, Vector coordinate) {
     const Vector u = hn::Mul(hn::Sqrt(clamped(coordinate)), hn::Set(kFloats, axis.cells()));
     IntVector cell = hn::Max(hn::ConvertTo(kInts, u), hn::Zero(kInts));  // NaN, too, has a cell
     cell = hn::Min(cell, hn::Set(kInts, std::int32_t(axis.nodes() - 2)));
-    const Vector offset = hn::Sub(coordinate, valuesOf<few>(cell, axis.positions()));
-    return {cell, clamped(hn::Mul(offset, valuesOf<few>(cell, axis.inverseWidths())))};
+    const Vector offset = hn::Sub(coordinate, valuesOf<Few>(cell, axis.positions()));
+    return {cell, clamped(hn::Mul(offset, valuesOf<Few>(cell, axis.inverseWidths())))};
 }
 
 /// An edge of the cell for each lane: how far along it the point lies, and the step to its node.
@@ -78,14 +78,14 @@ HWY_INLINE bool inUnitRange(Vector v) {
 }
 
 /// kLanes points, as Grid::locate() does one. Returns whether all lie in the cube.
-template <bool few>
+template <bool Few>
 HWY_INLINE bool locateLanes(const GridAxis& axis, const float* points, std::uint32_t* nodes,
                             float* weights) {
     Vector x, y, z;
     hn::LoadInterleaved3(kFloats, points, x, y, z);
-    const Places px = locate<few>(axis, x);
-    const Places py = locate<few>(axis, y);
-    const Places pz = locate<few>(axis, z);
+    const Places px = locate<Few>(axis, x);
+    const Places py = locate<Few>(axis, y);
+    const Places pz = locate<Few>(axis, z);
     const IntVector n = hn::Set(kInts, std::int32_t(axis.nodes()));
     Edges first{px.fraction, hn::Mul(n, n)};
     Edges second{py.fraction, n};
@@ -108,20 +108,20 @@ HWY_INLINE bool locateLanes(const GridAxis& axis, const float* points, std::uint
     return inUnitRange(x) && inUnitRange(y) && inUnitRange(z);
 }
 
-template <bool few>
+template <bool Few>
 bool locateAll(const GridAxis& axis, std::span<const std::array<float, 3>> points,
                std::array<std::uint32_t, 4>* nodes, std::array<float, 4>* weights) {
     bool inCube = true;
     std::size_t i = 0;
     for (; i + kLanes <= points.size(); i += kLanes) {
-        inCube &= locateLanes<few>(axis, points[i].data(), nodes[i].data(), weights[i].data());
+        inCube &= locateLanes<Few>(axis, points[i].data(), nodes[i].data(), weights[i].data());
     }
     if (i == points.size()) return inCube;
     std::array<std::array<float, 3>, kLanes> rest{};
     std::array<std::array<std::uint32_t, 4>, kLanes> restNodes;
     std::array<std::array<float, 4>, kLanes> restWeights;
     std::copy(points.begin() + std::ptrdiff_t(i), points.end(), rest.begin());
-    inCube &= locateLanes<few>(axis, rest[0].data(), restNodes[0].data(), restWeights[0].data());
+    inCube &= locateLanes<Few>(axis, rest[0].data(), restNodes[0].data(), restWeights[0].data());
     std::copy_n(restNodes.begin(), points.size() - i, nodes + i);
     std::copy_n(restWeights.begin(), points.size() - i, weights + i);
     return inCube;
