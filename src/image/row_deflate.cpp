@@ -66,9 +66,9 @@ class BlockCode {
     BlockCode(const std::uint8_t* bytes, std::span<const Step> steps,
               const std::vector<std::size_t>& distances) {
         const Counts counts(bytes, steps);
-        const std::array<std::uint32_t, 256> bytesCounts = counts.literals();
+        const std::array<std::uint32_t, 256> literals = counts.literals();
         std::array<std::uint32_t, kLiteralCodes> literalCounts{};
-        std::copy(bytesCounts.begin(), bytesCounts.end(), literalCounts.begin());
+        std::copy(literals.begin(), literals.end(), literalCounts.begin());
         std::array<std::uint32_t, kDistanceCodes> distanceCounts{};
         for (std::size_t i = kShortestMatch; i <= kLongestMatch; ++i) {
             literalCounts[lengthSymbol(i).symbol] += counts.lengths[i];
@@ -85,7 +85,7 @@ class BlockCode {
         for (const std::size_t distance : distances) {
             distanceWords_.push_back(withExtra(distances_, distanceSymbol(distance)));
         }
-        shortestWorthwhile_ = shortestWorthwhile(bytesCounts);
+        shortestWorthwhile_ = shortestWorthwhile(literals);
     }
 
     /// The fewest bytes of a match that spares bits, if its bytes cost what literals do here.
