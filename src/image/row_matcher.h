@@ -3,7 +3,6 @@
 #include "row_deflate.h"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>

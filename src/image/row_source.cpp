@@ -48,8 +48,6 @@ void RowSource::fail() {
 
 void RowSource::read(int first, int count, const OIIO::TypeDesc& type,
                      std::span<std::byte> samples) {
-    const std::size_t rowBytes =
-        std::size_t(spec().width) * std::size_t(spec().nchannels) * type.size();
     if (spec().tile_width == 0) {
         const int y = spec().y + first;
         if (!input_->read_scanlines(0, 0, y, y + count, 0, 0, spec().nchannels, type,
@@ -59,6 +57,8 @@ void RowSource::read(int first, int count, const OIIO::TypeDesc& type,
         }
         return;
     }
+    const std::size_t rowBytes =
+        std::size_t(spec().width) * std::size_t(spec().nchannels) * type.size();
     for (int row = 0; row < count; ++row) {
         readTileRow((first + row) / spec().tile_height, type);
         const std::size_t inside = std::size_t((first + row) % spec().tile_height);

@@ -14,10 +14,10 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr hn::CappedTag<std::uint8_t, 64> kBytes;
+using Vector = hn::Vec<decltype(kBytes)>;
 constexpr std::size_t kLanes = hn::MaxLanes(kBytes);
 
-HWY_INLINE hn::Vec<decltype(kBytes)> difference(hn::Vec<decltype(kBytes)> to,
-                                                hn::Vec<decltype(kBytes)> from) {
+HWY_INLINE Vector difference(Vector to, Vector from) {
     return hn::Add(hn::Sub(to, from), hn::Set(kBytes, 128));
 }
 
@@ -32,7 +32,7 @@ void predict(std::span<const std::uint8_t> samples, std::uint8_t* predicted) {
     if (odds > 0) odd[0] = std::uint8_t(from[1] - from[2 * evens - 2] + 128);
     std::size_t i = 1;
     for (; i + kLanes <= odds; i += kLanes) {
-        hn::Vec<decltype(kBytes)> evenNow, oddNow, evenBefore, oddBefore;
+        Vector evenNow, oddNow, evenBefore, oddBefore;
         hn::LoadInterleaved2(kBytes, from + 2 * i, evenNow, oddNow);
         hn::LoadInterleaved2(kBytes, from + 2 * i - 2, evenBefore, oddBefore);
         hn::StoreU(difference(evenNow, evenBefore), kBytes, even + i);

@@ -1,6 +1,4 @@
-#include "lookup.h"
-
-#include <specbake/core/shell.h>
+#include "support/lookup_stand.h"
 
 #include <doctest/doctest.h>
 
@@ -9,20 +7,12 @@
 #include <random>
 
 using namespace specbake;
+using specbake::testing::LookupStand;
 
 namespace {
 
-/// A lookup in a space under its own white, with everything that it stands on.
-struct Bench {
-    explicit Bench(const char* spaceName, std::optional<int> nodes = 17,
-                   Outside rule = Outside::nearest)
-        : space(*findColorSpace(spaceName)),
-          observer(space.illuminant),
-          solid(observer),
-          solver(observer),
-          resolver(solid, solver, rule),
-          matrix(xyzFromRGB(space, observer.white())),
-          lookup(nodes, {matrix, matrix}, resolver) {}
+struct Bench : LookupStand {
+    using LookupStand::LookupStand;
 
     struct Result {
         Spectrum spectrum{};
@@ -31,8 +21,7 @@ struct Bench {
     Result at(const std::array<float, 3>& color) {
         Result result;
         SpectrumLookup::Scratch scratch;
-        Mix mix;
-        lookup.locate({&color, 1}, 0, {&mix, 1}, scratch, result.census);
+        const Mix mix = mixOf(color, scratch, result.census);
         for (std::size_t m = 0; m < kBandCount; ++m) {
             for (std::size_t k = 0; k < 4; ++k) {
                 result.spectrum[m] +=
@@ -44,14 +33,6 @@ struct Bench {
     XYZ color(const std::array<float, 3>& c) const {
         return XYZ(RGB(double(c[0]), double(c[1]), double(c[2])) * matrix);
     }
-
-    ColorSpace space;
-    Observer observer;
-    Solid solid;
-    ShellSolver solver;
-    ColorResolver resolver;
-    Imath::M33d matrix;
-    SpectrumLookup lookup;
 };
 
 double largest(const Imath::V3d& v) {

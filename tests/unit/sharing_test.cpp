@@ -1,6 +1,5 @@
-#include "lookup.h"
+#include "support/lookup_stand.h"
 
-#include <specbake/core/shell.h>
 #include <specbake/image/spectral_writer.h>
 
 #include <doctest/doctest.h>
@@ -15,6 +14,7 @@
 #include <thread>
 
 using namespace specbake;
+using specbake::testing::LookupStand;
 
 namespace {
 
@@ -28,35 +28,15 @@ void onThreads(int count, const Work& work) {
 using Color = SpectrumLookup::Color;
 using Samples = std::array<float, kNodeValues>;
 
-/// A space's lookup, with everything that it stands on.
-struct Shared {
-    explicit Shared(const char* name)
-        : space(*findColorSpace(name)),
-          observer(space.illuminant),
-          solid(observer),
-          solver(observer),
-          resolver(solid, solver, Outside::nearest),
-          lookup(5, {xyzFromRGB(space, observer.white()), xyzFromRGB(space, observer.white())},
-                 resolver) {}
-
-    Samples at(const Color& color) {
-        SpectrumLookup::Scratch scratch;
-        TexelCensus census;
-        Mix mix;
-        lookup.locate({&color, 1}, 0, {&mix, 1}, scratch, census);
-        Samples samples;
-        blend({&mix, 1}, BlendType::float32, reinterpret_cast<std::byte*>(samples.data()),
-              sizeof(float));
-        return samples;
-    }
-
-    ColorSpace space;
-    Observer observer;
-    Solid solid;
-    ShellSolver solver;
-    ColorResolver resolver;
-    SpectrumLookup lookup;
-};
+Samples samplesOf(LookupStand& stand, const Color& color) {
+    SpectrumLookup::Scratch scratch;
+    TexelCensus census;
+    const Mix mix = stand.mixOf(color, scratch, census);
+    Samples samples;
+    blend({&mix, 1}, BlendType::float32, reinterpret_cast<std::byte*>(samples.data()),
+          sizeof(float));
+    return samples;
+}
 
 /// Of few colours, so that threads meet at the same nodes and the same slots of the cache: in the
 /// cube, beyond its faces, outside the solid.
@@ -83,17 +63,18 @@ TEST_CASE("threads that share a lookup find what one alone finds") {
         const std::vector<Color> all = colors();
         std::vector<Samples> expected;
         {
-            Shared alone(name);
-            for (const Color& color : all) expected.push_back(alone.at(color));
+            LookupStand alone(name, 5);
+            for (const Color& color : all) expected.push_back(samplesOf(alone, color));
         }
-        Shared shared(name);
+        LookupStand shared(name, 5);
         std::atomic<int> differences = 0;
         onThreads(6, [&](int thread) {
             std::vector<std::size_t> order(all.size());
             std::iota(order.begin(), order.end(), 0);
             // Two threads each go the same way, so that they meet where nothing is found yet.
             std::shuffle(order.begin(), order.end(), std::mt19937(unsigned(thread / 2)));
-            for (const std::size_t i : order) differences += shared.at(all[i]) != expected[i];
+            for (const std::size_t i : order)
+                differences += samplesOf(shared, all[i]) != expected[i];
         });
         CHECK(differences == 0);
     }

@@ -1,6 +1,7 @@
 #include "commands.h"
 #include "figures.h"
 #include "lookup.h"
+#include "measures.h"
 #include "methods/frame.h"
 #include "random_colors.h"
 #include "sets.h"
@@ -45,7 +46,7 @@ Outcome solve(const Solver& solver, const Observer& observer, std::span<const XY
         const Solution solution = solver.solve(color);
         const Imath::V3d miss = observer.color(solution.spectrum) - color;
         outcome.add({.failed = solution.solved() ? 0U : 1U,
-                     .residual = std::max({std::abs(miss.x), std::abs(miss.y), std::abs(miss.z)}),
+                     .residual = largestComponent(miss),
                      .violation = boundsViolation(solution.spectrum)});
     }
     return outcome;

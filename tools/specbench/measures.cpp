@@ -13,10 +13,6 @@
 namespace specbake::bench {
 namespace {
 
-double largestComponent(const Imath::V3d& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 double share(std::size_t part, std::size_t all) {
     return all == 0 ? 0 : double(part) / double(all);
 }
@@ -78,6 +74,10 @@ class Racetrack {
 };
 
 }  // namespace
+
+double largestComponent(const Imath::V3d& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
 
 Verdict judge(const Method& method, const XYZ& color, const Reconstruction& result) {
     const Observer& observer = method.frame().observer;
