@@ -1,28 +1,54 @@
-# The libraries as an installed package: find_package(specbake), specbake::core and so on.
+# The libraries as an installed package: find_package(specbake COMPONENTS core) and so on, and the
+# modules of pkg-config, specbake-core and so on.
 include(CMakePackageConfigHelpers)
 
-set(libraries core image bake)  # src/*, in the order in which data flows
-set(programs specbake)
-# What a static library links, even PRIVATE, its user's program links too: CMake packages, and
-# modules of pkg-config as pkg_check_modules(NAME REQUIRED IMPORTED_TARGET NAME) finds them.
-set(packages hwy Imath JPEG OpenEXR OpenImageIO PNG TBB)
-set(modules libdeflate)
 set(destination ${CMAKE_INSTALL_LIBDIR}/cmake/specbake)
 
-foreach(library IN LISTS libraries)
-  install(TARGETS specbake_${library}
-          EXPORT specbakeTargets
+# install_library(NAME TARGET...): the targets of a component.
+function(install_library name)
+  install(TARGETS specbake_${name} ${ARGN}
+          EXPORT specbake-${name}
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
           FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-endforeach()
-foreach(program IN LISTS programs)
-  install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endforeach()
+  install(EXPORT specbake-${name} FILE specbake-${name}.cmake NAMESPACE specbake::
+          DESTINATION ${destination})
+endfunction()
 
-install(TARGETS specbake_openimageio LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/specbake)
+# install_pkg_config(NAME DESCRIPTION REQUIRES PRIVATE LIBS): `private` and `libs` are what a
+# static library leaves to the program that links it.
+function(install_pkg_config name description requires private libs)
+  if(BUILD_SHARED_LIBS)
+    set(private "")
+    set(libs "")
+  endif()
+  configure_file(cmake/specbake.pc.in specbake-${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/specbake-${name}.pc
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
 
-install(EXPORT specbakeTargets NAMESPACE specbake:: DESTINATION ${destination})
+install_library(core)
+install_pkg_config(core "Colours to reflectance spectra" "Imath" "libhwy" "")
+set(components core)
+if(NOT SPECBAKE_CORE_ONLY)
+  list(APPEND components image bake)
+  set(seam specbake_openimageio)
+  if(BUILD_SHARED_LIBS)
+    set(seam "")
+  endif()
+  install_library(image ${seam})
+  install_library(bake)
+  install_pkg_config(image "Textures and spectral images" "specbake-core"
+    "OpenImageIO OpenEXR libhwy libjpeg libpng libdeflate"
+    "-lspecbake_openimageio -lspecbake_image")
+  install_pkg_config(bake "Textures to spectral images" "specbake-image" "tbb" "")
+endif()
+if(TARGET specbake)
+  install(TARGETS specbake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS specbake_openimageio_module
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/specbake)
+endif()
+
 configure_package_config_file(cmake/specbakeConfig.cmake.in specbakeConfig.cmake
                               INSTALL_DESTINATION ${destination})
 write_basic_package_version_file(specbakeConfigVersion.cmake COMPATIBILITY SameMinorVersion)

@@ -1,7 +1,7 @@
 #include "attributes.h"
 #include "baking.h"
+#include "choose/tolerances.h"
 #include "mantissa.h"
-#include "tolerances.h"
 
 #include <specbake/bake/bake.h>
 #include <specbake/core/error.h>

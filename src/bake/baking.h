@@ -2,7 +2,7 @@
 
 #include "band.h"
 #include "job.h"
-#include "level_tiles.h"
+#include "mip/level_tiles.h"
 
 #include <specbake/image/spectral_writer.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "box_filter.h"
-#include "texel_census.h"
+#include "mip/box_filter.h"
+#include "upsample/texel_census.h"
 
 #include <cstddef>
 #include <vector>

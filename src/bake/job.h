@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lookup.h"
 #include "solvers.h"
+#include "upsample/lookup.h"
 
 #include <specbake/bake/bake.h>
 #include <specbake/image/texture_reader.h>

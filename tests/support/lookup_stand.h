@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lookup.h"
+#include "upsample/lookup.h"
 
 #include <specbake/core/shell.h>
 

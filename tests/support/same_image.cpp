@@ -1,6 +1,6 @@
 #include "support/same_image.h"
 
-#include "openimageio_file.h"
+#include "texture/openimageio/openimageio_file.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "image_file.h"
+#include "texture/image_file.h"
 
 #include <cstddef>
 #include <string>

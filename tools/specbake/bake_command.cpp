@@ -2,10 +2,10 @@
 #include "commands.h"
 #include "progress_bar.h"
 #include "stop_signals.h"
+#include "upsample/grid.h"
 
 #include <specbake/bake/bake.h>
 #include <specbake/core/error.h>
-#include <specbake/core/grid.h>
 #include <specbake/image/output_file.h>
 
 #include <CLI/CLI.hpp>

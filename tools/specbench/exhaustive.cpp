@@ -1,12 +1,12 @@
 #include "commands.h"
 #include "figures.h"
-#include "lookup.h"
 #include "measures.h"
 #include "methods/frame.h"
 #include "random_colors.h"
 #include "sets.h"
 #include "statistics.h"
 #include "tasks.h"
+#include "upsample/lookup.h"
 
 #include <specbake/core/error.h>
 #include <specbake/core/shell.h>

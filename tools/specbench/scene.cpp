@@ -8,10 +8,10 @@
 #include "progress.h"
 #include "statistics.h"
 #include "texture.h"
+#include "upsample/node_values.h"
 
 #include <specbake/bake/bake.h>
 #include <specbake/core/ciede2000.h>
-#include <specbake/core/node_values.h>
 #include <specbake/core/shell.h>
 
 #include <Imath/half.h>

@@ -1,6 +1,6 @@
 #include "texture.h"
 
-#include "color_survey.h"
+#include "choose/color_survey.h"
 
 #include <specbake/core/error.h>
 

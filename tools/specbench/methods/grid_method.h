@@ -1,8 +1,8 @@
 #pragma once
 
 #include "method.h"
+#include "upsample/grid.h"
 
-#include <specbake/core/grid.h>
 #include <specbake/core/solver.h>
 
 #include <array>

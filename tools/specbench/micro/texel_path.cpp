@@ -2,9 +2,9 @@
 /// and the product with three fixed spectra (three multiply-adds a sample). Items are texels. Runs
 /// are interleaved and repeated, since what else runs on the machine changes them all: speed.py
 /// takes the medians' ratios.
-#include "lookup.h"
+#include "upsample/blend.h"
+#include "upsample/lookup.h"
 
-#include <specbake/core/blend.h>
 #include <specbake/core/smooth.h>
 
 #include <benchmark/benchmark.h>

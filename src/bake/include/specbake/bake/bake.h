@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/outside.h>
 #include <specbake/image/spectral_layout.h>
 
@@ -59,7 +60,7 @@ struct BakeStatistics {
 /// The texture `input` to the spectral image `output`, which appears whole or not at all.
 /// The bytes of the output depend on the input and the options but not on the threads.
 /// Throws FileError, ArgumentError, Cancelled.
-BakeStatistics bake(const std::string& input, const std::filesystem::path& output,
-                    const BakeOptions& options);
+SPECBAKE_API BakeStatistics bake(const std::string& input, const std::filesystem::path& output,
+                                 const BakeOptions& options);
 
 }  // namespace specbake

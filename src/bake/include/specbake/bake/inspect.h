@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/spectrum.h>
 #include <specbake/image/spectral_reader.h>
 
@@ -19,10 +20,10 @@ struct BandStatistics {
 };
 
 /// Reads the whole file. Throws FileError.
-BandStatistics bandStatistics(const std::string& spectral);
+SPECBAKE_API BandStatistics bandStatistics(const std::string& spectral);
 
 /// The spectrum of the texel at (x, y), which counts as the file's windows do: the first texel is
 /// the data window's corner. Throws FileError, and ArgumentError for a place outside the window.
-Spectrum spectrumAt(SpectralReader& reader, int x, int y);
+SPECBAKE_API Spectrum spectrumAt(SpectralReader& reader, int x, int y);
 
 }  // namespace specbake

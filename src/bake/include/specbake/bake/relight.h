@@ -1,5 +1,7 @@
 #pragma once
 
+#include <specbake/core/api.h>
+
 #include <filesystem>
 #include <functional>
 #include <stop_token>
@@ -21,7 +23,7 @@ struct RelightOptions {
 /// Rec.709 or sRGB after the format of `picture` (preview_writer.h). At exposure 0 the largest
 /// component of a white surface is 1, so that no reflectance is clipped for its brightness.
 /// Throws FileError, ArgumentError, Cancelled.
-void relight(const std::string& spectral, const std::filesystem::path& picture,
-             const RelightOptions& options);
+SPECBAKE_API void relight(const std::string& spectral, const std::filesystem::path& picture,
+                          const RelightOptions& options);
 
 }  // namespace specbake

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <specbake/bake/bake.h>
+#include <specbake/core/api.h>
 #include <specbake/core/solver.h>
 
 #include <array>
@@ -29,6 +30,6 @@ struct ColorAnswer {
 };
 
 /// Throws ArgumentError for an unknown space or illuminant, or a colour that is not finite.
-ColorAnswer solveColor(const ColorRequest& request);
+SPECBAKE_API ColorAnswer solveColor(const ColorRequest& request);
 
 }  // namespace specbake

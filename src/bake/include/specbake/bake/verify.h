@@ -1,5 +1,7 @@
 #pragma once
 
+#include <specbake/core/api.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -29,7 +31,7 @@ struct Verification {
 
 /// Reads the 81 bands back, integrates them under the file's illuminant and compares with the
 /// texture. Throws FileError if a file cannot be read or the two have not the same size.
-Verification verify(const std::string& spectral, const std::string& texture,
-                    const VerifyOptions& options);
+SPECBAKE_API Verification verify(const std::string& spectral, const std::string& texture,
+                                 const VerifyOptions& options);
 
 }  // namespace specbake

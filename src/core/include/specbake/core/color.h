@@ -1,5 +1,7 @@
 #pragma once
 
+#include <specbake/core/api.h>
+
 #include <Imath/ImathMatrix.h>
 #include <Imath/ImathVec.h>
 
@@ -31,7 +33,7 @@ struct Lab {
 };
 
 /// Lab of a colour beside its white (CIE 15). Any finite colour has one.
-Lab labFromXYZ(const XYZ& color, const XYZ& white);
+SPECBAKE_API Lab labFromXYZ(const XYZ& color, const XYZ& white);
 
 struct Chromaticity {
     double x = 0, y = 0;
@@ -39,7 +41,7 @@ struct Chromaticity {
 };
 
 /// (3) of the paper; (0, 0) for black.
-Chromaticity chromaticity(const XYZ& color);
+SPECBAKE_API Chromaticity chromaticity(const XYZ& color);
 
 struct Primaries {
     Chromaticity red, green, blue, white;
@@ -50,9 +52,9 @@ struct Primaries {
 enum class Transfer { linear, sRGB };
 
 /// sRGB's decoding curve (IEC 61966-2-1), odd about 0, extended above 1.
-double linearFromSRGB(double encoded);
+SPECBAKE_API double linearFromSRGB(double encoded);
 /// Its inverse.
-double sRGBFromLinear(double linear);
+SPECBAKE_API double sRGBFromLinear(double linear);
 
 /// A colour space that a texture may be in: an RGB space by its primaries, or XYZ itself.
 struct ColorSpace {
@@ -65,18 +67,18 @@ struct ColorSpace {
 };
 
 /// Every space that `--space` offers, in the order in which help lists them.
-const std::vector<ColorSpace>& colorSpaces();
+SPECBAKE_API const std::vector<ColorSpace>& colorSpaces();
 
 /// The space of that name, or nullptr.
-const ColorSpace* findColorSpace(std::string_view name);
+SPECBAKE_API const ColorSpace* findColorSpace(std::string_view name);
 
 /// The linear space with these primaries: a known one where they agree to 4 decimals, else one
 /// named "custom" whose illuminant is the offered one nearest in chromaticity.
-ColorSpace colorSpaceFromPrimaries(const Primaries& primaries);
+SPECBAKE_API ColorSpace colorSpaceFromPrimaries(const Primaries& primaries);
 
 /// XYZ from linear RGB: row i is the tristimulus of primary i, so that XYZ(rgb * matrix).
 /// (1, 1, 1) goes to `white`. Identity for XYZ.
 /// Throws ArgumentError if the primaries lie on one line.
-Imath::M33d xyzFromRGB(const ColorSpace& space, const XYZ& white);
+SPECBAKE_API Imath::M33d xyzFromRGB(const ColorSpace& space, const XYZ& white);
 
 }  // namespace specbake

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/observer.h>
 #include <specbake/core/solver.h>
 
@@ -35,7 +36,7 @@ struct DescentOptions {
 /// bit, whatever was solved before and by whichever thread. A spectrum never leaves [0, 1].
 /// Colours outside the solid, and those that are not finite, have status `failed`: this solver
 /// does not know the solid.
-class DescentSolver : public Solver {
+class SPECBAKE_API DescentSolver : public Solver {
   public:
     /// Throws ArgumentError for options outside their ranges.
     explicit DescentSolver(const Observer& observer, const DescentOptions& options = {});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/observer.h>
 #include <specbake/core/solver.h>
 
@@ -21,8 +22,8 @@ struct NearestReflectance {
 
 /// Semismooth Newton with an exact line search. `start` is any spectrum, `color` finite. Ends at
 /// rounding, or after `maxIterations` steps.
-NearestReflectance nearestReflectance(const Observer& observer, const XYZ& color,
-                                      const Spectrum& start, int maxIterations = 100);
+SPECBAKE_API NearestReflectance nearestReflectance(const Observer& observer, const XYZ& color,
+                                                   const Spectrum& start, int maxIterations = 100);
 
 struct DualNewtonOptions {
     int maxIterations = 100;
@@ -32,7 +33,7 @@ struct DualNewtonOptions {
 /// The reflectance nearest to the constant Y. The cross-check of the other solvers: it does not
 /// fail for a colour of the solid. It is continuous in the colour, though rarely smooth in
 /// wavelength. Colours outside, and those that are not finite, have status `failed`.
-class DualNewtonSolver : public Solver {
+class SPECBAKE_API DualNewtonSolver : public Solver {
   public:
     explicit DualNewtonSolver(const Observer& observer, const DualNewtonOptions& options = {});
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/observer.h>
 #include <specbake/core/spectrum.h>
 
@@ -13,7 +14,7 @@ namespace specbake {
 ///
 /// Of its 81 eigenvalues three are not 0: those of the 3 x 3 Gram matrix ⟨w|w⟩ (9). Spectra here
 /// are plain 81-vectors, not reflectances.
-class EigenAnalysis {
+class SPECBAKE_API EigenAnalysis {
   public:
     explicit EigenAnalysis(const Observer& observer);
 

@@ -1,24 +1,26 @@
 #pragma once
 
+#include <specbake/core/api.h>
+
 #include <stdexcept>
 #include <string>
 
 namespace specbake {
 
 /// The base of everything that the libraries throw. what() is one line, fit to be shown to a user.
-class Error : public std::runtime_error {
+class SPECBAKE_API Error : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
 /// An argument outside its documented range.
-class ArgumentError : public Error {
+class SPECBAKE_API ArgumentError : public Error {
   public:
     using Error::Error;
 };
 
 /// A file that cannot be read, written or understood: what() is "FILE: REASON".
-class FileError : public Error {
+class SPECBAKE_API FileError : public Error {
   public:
     FileError(std::string file, const std::string& reason)
         : Error(file + ": " + reason), file_(std::move(file)) {}
@@ -29,7 +31,7 @@ class FileError : public Error {
 };
 
 /// Work that its caller stopped.
-class Cancelled : public Error {
+class SPECBAKE_API Cancelled : public Error {
   public:
     Cancelled() : Error("stopped") {}
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/color.h>
 #include <specbake/core/spectrum.h>
 
@@ -14,7 +15,7 @@ namespace specbake {
 
 /// The CIE 1931 2-degree observer under one illuminant: the weights w_m of (1), the 81 products of
 /// colour-matching functions and illuminant, scaled so that the perfect reflector has Y = 1.
-class Observer {
+class SPECBAKE_API Observer {
   public:
     /// An illuminant of `illuminantNames()`. Throws ArgumentError for another name.
     explicit Observer(std::string_view illuminant);
@@ -37,6 +38,6 @@ class Observer {
 };
 
 /// The illuminants that are offered: E, A, C, D50, D55, D60, D65, D75, F2, F11.
-const std::vector<std::string>& illuminantNames();
+SPECBAKE_API const std::vector<std::string>& illuminantNames();
 
 }  // namespace specbake

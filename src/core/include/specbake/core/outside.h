@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/solid.h>
 #include <specbake/core/solver.h>
 
@@ -15,8 +16,8 @@ enum class Outside {
     error     ///< nothing: the colour is refused
 };
 
-std::string_view outsideName(Outside rule);
-std::optional<Outside> outsideFromName(std::string_view name);
+SPECBAKE_API std::string_view outsideName(Outside rule);
+SPECBAKE_API std::optional<Outside> outsideFromName(std::string_view name);
 
 /// A colour that a reflectance can have, in place of one asked for.
 struct Attainable {
@@ -26,10 +27,10 @@ struct Attainable {
 };
 
 /// The colour that is given for `asked`. With Outside::error it is `asked` itself.
-Attainable attainable(const Solid& solid, const XYZ& asked, Outside rule);
+SPECBAKE_API Attainable attainable(const Solid& solid, const XYZ& asked, Outside rule);
 
 /// Solves any finite colour: those of the solid by a solver, those outside by a rule.
-class ColorResolver {
+class SPECBAKE_API ColorResolver {
   public:
     /// The solid and the solver must outlive it.
     ColorResolver(const Solid& solid, const Solver& solver, Outside rule)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/observer.h>
 #include <specbake/core/solver.h>
 
@@ -14,7 +15,7 @@ namespace specbake {
 /// same luminance. Where that does not converge the colour is approached from the grey in steps.
 /// Colours at the very boundary of the object-colour solid have |z| without bound and are reported
 /// as failed: see shell.h, which never fails.
-class SmoothSolver : public Solver {
+class SPECBAKE_API SmoothSolver : public Solver {
   public:
     explicit SmoothSolver(const Observer& observer) : observer_(observer) {}
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/color.h>
 #include <specbake/core/observer.h>
 #include <specbake/core/spectrum.h>
@@ -17,7 +18,7 @@ struct SolidMesh;
 ///
 /// Which vectors are parallel and on which side of a face a vector lies is decided exactly, on the
 /// table's printed decimals. Colours are finite. Immutable; may be shared by threads.
-class Solid {
+class SPECBAKE_API Solid {
   public:
     explicit Solid(const Observer& observer);
     ~Solid();
@@ -71,9 +72,9 @@ class Solid {
     double volume() const;
 
   private:
-    struct Data;
+    struct SPECBAKE_LOCAL Data;
     std::unique_ptr<const Data> data_;
-    friend SolidMesh solidMesh(const Solid& solid);
+    friend SPECBAKE_API SolidMesh solidMesh(const Solid& solid);
 };
 
 }  // namespace specbake

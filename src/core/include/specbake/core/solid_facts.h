@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/color.h>
 #include <specbake/core/observer.h>
 
@@ -25,6 +26,6 @@ struct SolidFacts {
     double volume = 0;  ///< in XYZ
 };
 
-SolidFacts solidFacts(const Observer& observer);
+SPECBAKE_API SolidFacts solidFacts(const Observer& observer);
 
 }  // namespace specbake

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/solid.h>
 
 #include <Imath/ImathVec.h>
@@ -19,9 +20,9 @@ struct SolidMesh {
 };
 
 /// Vertices are identified by their spectra, which are all 0 and 1: no tolerance is needed.
-SolidMesh solidMesh(const Solid& solid);
+SPECBAKE_API SolidMesh solidMesh(const Solid& solid);
 
 /// As Wavefront OBJ text, 17 digits.
-void writeObj(const SolidMesh& mesh, std::ostream& out);
+SPECBAKE_API void writeObj(const SolidMesh& mesh, std::ostream& out);
 
 }  // namespace specbake

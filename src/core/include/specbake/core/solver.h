@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/color.h>
 #include <specbake/core/spectrum.h>
 
@@ -29,7 +30,7 @@ struct [[nodiscard]] Solution {
 
 /// One colour -> one spectrum, under the observer that the solver was made for.
 /// A solver is immutable: any number of threads may share it.
-class Solver {
+class SPECBAKE_API Solver {
   public:
     virtual ~Solver() = default;
     virtual Solution solve(const XYZ& color) const = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/image/spectral_layout.h>
 
 #include <vector>
@@ -10,7 +11,7 @@ namespace specbake {
 /// then from top to bottom; those at the right and lower ends may be smaller.
 ///
 /// Chunks are numbered through the whole file, level by level, as its table of offsets has them.
-struct ChunkGrid {
+struct SPECBAKE_API ChunkGrid {
     int level = 0;
     int firstChunk = 0;
     int width = 0, height = 0;  ///< of the level
@@ -33,6 +34,7 @@ constexpr int halvedSide(int side) {
 
 /// The levels of a file of that size, the largest first. Throws ArgumentError for impossible tiles,
 /// and for more than a file can have.
-std::vector<ChunkGrid> chunkGrids(int width, int height, const StorageOptions& storage);
+SPECBAKE_API std::vector<ChunkGrid> chunkGrids(int width, int height,
+                                               const StorageOptions& storage);
 
 }  // namespace specbake

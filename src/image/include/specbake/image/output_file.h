@@ -1,12 +1,14 @@
 #pragma once
 
+#include <specbake/core/api.h>
+
 #include <filesystem>
 
 namespace specbake {
 
 /// A file that appears whole or not at all: it is written under a temporary name in the same
 /// folder and renamed by commit(); without commit() the temporary file is removed.
-class OutputFile {
+class SPECBAKE_API OutputFile {
   public:
     /// Creates the temporary file. A link is followed. Throws FileError if the folder cannot be
     /// written, or if `path` names something else than a regular file.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/image/spectral_layout.h>
 
 #include <filesystem>
@@ -13,7 +14,7 @@ class PreviewFile;
 /// Writes a picture to be looked at, by rows, in the format of its name's extension: linear floats
 /// where the format has them (EXR, HDR), else 8-bit sRGB. The file appears at commit(), whole;
 /// without it nothing stays behind.
-class PreviewWriter {
+class SPECBAKE_API PreviewWriter {
   public:
     /// Windows and alpha are those of `like`; a format without them has neither.
     /// Throws FileError if there is no such format or the file cannot be created.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/wavelengths.h>
 #include <specbake/image/image_types.h>
 
@@ -13,14 +14,14 @@
 namespace specbake {
 
 /// The channel of a reflectance band: "T.380,000000nm" and so on. Decimal comma, six decimals.
-std::string bandChannelName(int band);
+SPECBAKE_API std::string bandChannelName(int band);
 
 /// The wavelength, nm, of a reflectance channel's name; nothing for another channel.
-std::optional<double> bandWavelength(std::string_view channelName);
+SPECBAKE_API std::optional<double> bandWavelength(std::string_view channelName);
 
 /// A file's channels in the order in which they are stored, the alphabet's:
 /// A (if any), B, G, R, then the bands from 380 nm up.
-std::vector<std::string> channelNames(bool alpha);
+SPECBAKE_API std::vector<std::string> channelNames(bool alpha);
 
 /// Channels that every texel has: B, G, R (the preview) and the bands, in stored order.
 inline constexpr int kPreviewChannels = 3;

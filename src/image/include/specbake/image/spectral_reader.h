@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/spectrum.h>
 #include <specbake/image/spectral_layout.h>
 
@@ -25,7 +26,7 @@ struct StorageFacts {
 
 /// Reads a spectral EXR back through OpenImageIO, by rows. It accepts the bands of this project,
 /// 380 to 780 nm every 5 nm; channels of other names are passed over.
-class SpectralReader {
+class SPECBAKE_API SpectralReader {
   public:
     /// Throws FileError if the file cannot be read or does not hold the 81 bands. `threads` unpack
     /// it beside the caller, if there are more than 1; of all readers in the process, the last that
@@ -46,7 +47,7 @@ class SpectralReader {
     void readRows(int first, int count, std::span<float> samples, std::span<float> alpha = {});
 
   private:
-    struct Implementation;
+    struct SPECBAKE_LOCAL Implementation;
     std::unique_ptr<Implementation> implementation_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/image/chunk_grid.h>
 
 #include <cstddef>
@@ -20,7 +21,7 @@ namespace specbake {
 ///     writer.commit();
 ///
 /// The file appears at commit(), whole; without it nothing stays behind.
-class SpectralWriter {
+class SPECBAKE_API SpectralWriter {
   public:
     /// Throws FileError if the file cannot be created, ArgumentError for a wrong option.
     SpectralWriter(const std::filesystem::path& path, const SpectralHeader& header,
@@ -47,7 +48,7 @@ class SpectralWriter {
     void commit();
 
   private:
-    struct Implementation;
+    struct SPECBAKE_LOCAL Implementation;
     std::unique_ptr<Implementation> implementation_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/api.h>
 #include <specbake/core/color.h>
 #include <specbake/image/image_types.h>
 
@@ -34,7 +35,7 @@ struct TextureInfo {
 /// Reads the first subimage and mip level of any file that OpenImageIO reads, by rows.
 /// Throws FileError, with the file and the reason, for what cannot be read: absent, truncated,
 /// deep, volumetric, larger than kLargestSide, more than four channels, four without an alpha.
-class TextureReader {
+class SPECBAKE_API TextureReader {
   public:
     /// `threads` unpack an EXR beside the caller, if there are more than 1; of all readers in the
     /// process, the last that was made decides.
@@ -50,13 +51,13 @@ class TextureReader {
     void readRows(int first, int count, std::span<std::byte> samples);
 
   private:
-    struct Implementation;
+    struct SPECBAKE_LOCAL Implementation;
     std::unique_ptr<Implementation> implementation_;
 };
 
 /// Turns stored samples into linear colour: undoes the alpha association and the transfer curve.
 /// Immutable: any number of threads may share it.
-class TexelDecoder {
+class SPECBAKE_API TexelDecoder {
   public:
     /// `space` is the texture's, or another that its user knows better.
     /// Throws FileError if the texture has too few channels for the space (grey XYZ).

@@ -1,0 +1,79 @@
+// Build step: turns the CSV tables of data/ into one C++ source file (see tables.h).
+//
+//     embed_tables CMF.csv ILLUMINANTS.csv OUT.cpp
+#include <cstdint>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::vector<Row> readCsv(const std::string& path) {
+    std::ifstream in(path);
+    if (!in) throw std::runtime_error(path + ": cannot be read");
+    std::vector<Row> rows;
+    for (std::string line; std::getline(in, line);) {
+        if (line.empty() || line[0] == '#') continue;
+        Row row;
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+        rows.push_back(row);
+    }
+    if (rows.size() != 82) throw std::runtime_error(path + ": a heading and 81 rows expected");
+    return rows;
+}
+
+/// A printed decimal, with or without exponent, as an exact multiple of 1e-10.
+std::int64_t exactTenBillionths(const std::string& text) {
+    const auto e = text.find_first_of("eE");
+    const std::string mantissa = text.substr(0, e);
+    int shift = 10 + (e == std::string::npos ? 0 : std::stoi(text.substr(e + 1)));
+    std::int64_t value = 0;
+    bool fraction = false;
+    for (const char c : mantissa) {
+        if (c == '.') {
+            fraction = true;
+            continue;
+        }
+        value = 10 * value + (c - '0');
+        if (fraction) --shift;
+    }
+    if (shift < 0) throw std::runtime_error(text + ": more than ten decimals");
+    for (; shift > 0; --shift) value *= 10;
+    return value;
+}
+
+void writeTables(const std::vector<Row>& cmf, const std::vector<Row>& light, std::ostream& out) {
+    out << "// Made from data/*.csv by embed_tables.\n#include \"color/tables.h\"\n\n"
+        << "namespace specbake::tables {\n\n"
+        << "const std::array<std::array<std::int64_t, 3>, kBandCount> colorMatching = {{\n";
+    for (std::size_t i = 1; i < cmf.size(); ++i) {
+        out << "    {" << exactTenBillionths(cmf[i].at(1)) << ", "
+            << exactTenBillionths(cmf[i].at(2)) << ", " << exactTenBillionths(cmf[i].at(3))
+            << "},\n";
+    }
+    out << "}};\n\nconst std::vector<IlluminantTable> illuminants = {\n";
+    for (std::size_t column = 1; column < light[0].size(); ++column) {
+        out << "    {\"" << light[0][column] << "\", {";
+        for (std::size_t i = 1; i < light.size(); ++i) out << light[i].at(column) << ", ";
+        out << "}},\n";
+    }
+    out << "};\n\n}  // namespace specbake::tables\n";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (argc != 4) throw std::runtime_error("usage: embed_tables CMF ILLUMINANTS OUT");
+    std::ofstream out(argv[3]);
+    writeTables(readCsv(argv[1]), readCsv(argv[2]), out);
+    return out ? 0 : 1;
+} catch (const std::exception& error) {
+    std::cerr << "embed_tables: " << error.what() << '\n';
+    return 1;
+}

@@ -1,0 +1,35 @@
+#include "solid/generators.h"
+
+#include <specbake/core/eigen.h>
+#include <specbake/core/solid.h>
+#include <specbake/core/solid_facts.h>
+#include <specbake/core/solid_mesh.h>
+
+namespace specbake {
+
+SolidFacts solidFacts(const Observer& observer) {
+    const Generators& g = generators();
+    const Solid solid(observer);
+    const SolidMesh mesh = solidMesh(solid);
+    SolidFacts facts;
+    facts.illuminant = observer.illuminant();
+    facts.white = solid.white();
+    facts.center = solid.center();
+    facts.eigenvalues = EigenAnalysis(observer).values();
+    for (const auto& bands : g.bands) {
+        if (bands.size() == 1) continue;
+        std::vector<int> group;
+        for (const int band : bands) group.push_back(wavelength(band));
+        facts.parallelGroups.push_back(group);
+    }
+    facts.generators = g.count();
+    facts.generatorsWithoutZ = int(g.red.size());
+    facts.pairs = int(g.sides.size());
+    facts.parallelograms = int(mesh.parallelograms.size());
+    facts.baseSides = int(mesh.bases[0].size());
+    facts.vertices = int(mesh.vertices.size());
+    facts.volume = solid.volume();
+    return facts;
+}
+
+}  // namespace specbake

@@ -1,5 +1,0 @@
-#include "openimageio_parts.h"
-
-extern "C" const specbake::OpenImageIOParts* specbakeOpenImageIOParts() {
-    return &specbake::openImageIOParts({});
-}

@@ -1,0 +1,20 @@
+#include "texture/openimageio/openimageio_parts.h"
+
+#include <specbake/image/preview_writer.h>
+
+namespace specbake {
+
+PreviewWriter::PreviewWriter(const std::filesystem::path& path, const SpectralHeader& like)
+    : file_(openImageIOParts(path.string()).createPreview(path, like)) {}
+
+PreviewWriter::~PreviewWriter() = default;
+
+void PreviewWriter::writeRow(std::span<const float> rgba) {
+    file_->writeRow(rgba);
+}
+
+void PreviewWriter::commit() {
+    file_->commit();
+}
+
+}  // namespace specbake

@@ -1,0 +1,97 @@
+#include "texture/image_file.h"
+#include "texture/openimageio/openimageio_parts.h"
+
+#include <specbake/core/error.h>
+#include <specbake/image/spectral_reader.h>
+
+#include <array>
+#include <cmath>
+
+namespace specbake {
+namespace {
+
+constexpr int kMissing = -1;
+
+/// For each band, the index of its channel in the file.
+std::array<int, kBandCount> bandChannels(const std::string& path,
+                                         const std::vector<std::string>& names) {
+    std::array<int, kBandCount> channels;
+    channels.fill(kMissing);
+    for (std::size_t c = 0; c < names.size(); ++c) {
+        const auto nm = bandWavelength(names[c]);
+        if (!nm) continue;
+        const double band = (*nm - kFirstWavelength) / kWavelengthStep;
+        if (band == std::floor(band) && band >= 0 && band < kBandCount) {
+            channels[std::size_t(band)] = int(c);
+        }
+    }
+    for (int band = 0; band < kBandCount; ++band) {
+        if (channels[std::size_t(band)] == kMissing) {
+            throw FileError(path, "no channel " + bandChannelName(band) +
+                                      ": not a spectral image of 380 to 780 nm every 5 nm");
+        }
+    }
+    return channels;
+}
+
+}  // namespace
+
+struct SpectralReader::Implementation {
+    Implementation(const std::string& name, int threads)
+        : path(name),
+          file(openImageFile(path, threads)),
+          channels(bandChannels(path, file->description().channels)) {
+        const ImageDescription& d = file->description();
+        header.data = d.data;
+        header.display = d.display;
+        header.pixelAspectRatio = d.pixelAspectRatio;
+        header.alpha = d.alpha.has_value();
+    }
+
+    std::string path;
+    std::unique_ptr<ImageFile> file;
+    std::array<int, kBandCount> channels;
+    SpectralHeader header;
+    std::vector<float> texels;
+};
+
+SpectralReader::SpectralReader(const std::string& path, int threads)
+    : implementation_(std::make_unique<Implementation>(path, threads)) {}
+SpectralReader::~SpectralReader() = default;
+
+const SpectralHeader& SpectralReader::header() const {
+    return implementation_->header;
+}
+
+StorageFacts SpectralReader::facts() const {
+    const std::string& path = implementation_->path;
+    return openImageIOParts(path).storageFacts(path);
+}
+
+std::optional<std::string> SpectralReader::text(const std::string& attribute) const {
+    return implementation_->file->text(attribute);
+}
+
+void SpectralReader::readRows(int first, int count, std::span<float> samples,
+                              std::span<float> alpha) {
+    Implementation& i = *implementation_;
+    const auto channels = i.file->description().channels.size();
+    const std::size_t texels = std::size_t(count) * std::size_t(i.header.data.width);
+    if (samples.size() < texels * kBandCount || (!alpha.empty() && alpha.size() < texels)) {
+        throw ArgumentError("a buffer too small for its rows");
+    }
+    i.texels.resize(texels * channels);
+    i.file->readRows(first, count, SampleType::float32,
+                     std::as_writable_bytes(std::span(i.texels)));
+    for (std::size_t t = 0; t < texels; ++t) {
+        for (std::size_t band = 0; band < kBandCount; ++band) {
+            samples[t * kBandCount + band] = i.texels[t * channels + std::size_t(i.channels[band])];
+        }
+    }
+    const std::optional<int> opacity = i.file->description().alpha;
+    for (std::size_t t = 0; opacity && t < alpha.size(); ++t) {
+        alpha[t] = i.texels[t * channels + std::size_t(*opacity)];
+    }
+}
+
+}  // namespace specbake

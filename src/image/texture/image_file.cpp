@@ -1,0 +1,38 @@
+#include "texture/image_file.h"
+
+#include "texture/openimageio/openimageio_parts.h"
+#include "texture/plain/plain_exr.h"
+#include "texture/plain/plain_jpeg.h"
+#include "texture/plain/plain_png.h"
+
+#include <specbake/core/error.h>
+
+namespace specbake {
+
+void ImageFile::readRows(int first, int count, SampleType type, std::span<std::byte> samples) {
+    if (samples.size() < rowBytes(type) * std::size_t(count)) {
+        throw ArgumentError("a buffer too small for its rows");
+    }
+    unpackRows(first, count, type, samples);
+}
+
+std::size_t ImageFile::rowBytes(SampleType type) const {
+    return std::size_t(description_.data.width) * description_.channels.size() *
+           bytesPerSample(type);
+}
+
+std::unique_ptr<ImageFile> openImageFile(const std::string& path, int threads) {
+    if (auto png = openPlainPng(path)) return png;
+    if (auto jpeg = openPlainJpeg(path)) return jpeg;
+    if (auto exr = openPlainExr(path)) return exr;
+    return openImageIOParts(path).openImage(path, threads);
+}
+
+void checkSides(const std::string& path, long long width, long long height) {
+    if (width < 1 || height < 1) throw FileError(path, "it has no pixels");
+    if (width > kLargestSide || height > kLargestSide) {
+        throw FileError(path, "a side of more than " + std::to_string(kLargestSide) + " pixels");
+    }
+}
+
+}  // namespace specbake

@@ -1,0 +1,13 @@
+#include "texture/openimageio/openimageio_file.h"
+#include "texture/openimageio/openimageio_parts.h"
+#include "texture/openimageio/openimageio_preview.h"
+
+namespace specbake {
+
+const OpenImageIOParts& openImageIOParts(const std::string& /*path*/) {
+    static constexpr OpenImageIOParts parts = {openWithOpenImageIO, storageFactsOf,
+                                               createWithOpenImageIO};
+    return parts;
+}
+
+}  // namespace specbake

@@ -1,0 +1,36 @@
+#include "texture/openimageio/metadata.h"
+
+#include "texture/kept_metadata.h"
+
+namespace specbake {
+namespace {
+
+bool isVector(const OIIO::TypeDesc& type) {
+    const std::size_t count = type.basevalues();
+    return type.basetype == OIIO::TypeDesc::FLOAT &&
+           (count == 2 || count == 3 || count == 9 || count == 16);
+}
+
+}  // namespace
+
+Attributes metadataOf(const OIIO::ImageSpec& spec) {
+    Attributes kept;
+    for (const auto& value : spec.extra_attribs) {
+        const std::string name = value.name().string();
+        if (!isKeptMetadata(name)) continue;
+        const OIIO::TypeDesc type = value.type();
+        if (type == OIIO::TypeString) {
+            kept[name] = value.get_string();
+        } else if (type == OIIO::TypeInt || type == OIIO::TypeUInt) {
+            kept[name] = value.get_int();
+        } else if (type == OIIO::TypeFloat) {
+            kept[name] = value.get_float();
+        } else if (isVector(type)) {
+            const auto* first = static_cast<const float*>(value.data());
+            kept[name] = std::vector<float>(first, first + type.basevalues());
+        }
+    }
+    return kept;
+}
+
+}  // namespace specbake

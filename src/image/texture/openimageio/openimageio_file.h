@@ -1,0 +1,15 @@
+#pragma once
+
+#include "texture/image_file.h"
+
+#include <specbake/image/spectral_reader.h>
+
+namespace specbake {
+
+/// openImageFile() by OpenImageIO alone, whatever the file.
+std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path, int threads);
+
+/// How the file is stored. Throws FileError if it cannot be opened.
+StorageFacts storageFactsOf(const std::string& path);
+
+}  // namespace specbake

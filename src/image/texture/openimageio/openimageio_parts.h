@@ -1,0 +1,34 @@
+#pragma once
+
+#include "spectral/preview_file.h"
+#include "texture/image_file.h"
+
+#include <specbake/image/spectral_reader.h>
+
+#include <filesystem>
+
+namespace specbake {
+
+/// All that uses OpenImageIO. That library brings hundreds of others with it, a quarter of a
+/// second of loading, so a program may put it off until a file needs it.
+struct OpenImageIOParts {
+    /// openWithOpenImageIO().
+    std::unique_ptr<ImageFile> (*openImage)(const std::string& path, int threads);
+    /// storageFactsOf().
+    StorageFacts (*storageFacts)(const std::string& path);
+    /// createWithOpenImageIO().
+    std::unique_ptr<PreviewFile> (*createPreview)(const std::filesystem::path& path,
+                                                  const SpectralHeader& like);
+};
+
+/// Who links specbake::image gets linked_openimageio.cpp, and OpenImageIO with the program. A
+/// program that links deferred_openimageio.cpp besides loads the module specbake_openimageio on
+/// the first call, and does not link OpenImageIO. Throws FileError, on the file that needs it, if
+/// the module cannot be loaded.
+const OpenImageIOParts& openImageIOParts(const std::string& path);
+
+}  // namespace specbake
+
+/// The same from the module. Module and program are built together, so that C++ types and
+/// exceptions may pass between them.
+extern "C" SPECBAKE_API const specbake::OpenImageIOParts* specbakeOpenImageIOParts();

@@ -1,0 +1,118 @@
+#include "texture/openimageio/openimageio_preview.h"
+
+#include "texture/openimageio/row_source.h"
+
+#include <specbake/core/color.h>
+#include <specbake/core/error.h>
+#include <specbake/image/output_file.h>
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace specbake {
+namespace {
+
+constexpr int kGiven = 4;  ///< channels of a given row
+
+std::unique_ptr<OIIO::ImageOutput> formatOf(const std::filesystem::path& path) {
+    auto output = OIIO::ImageOutput::create(path.string());
+    if (!output) throw FileError(path.string(), oneLine(OIIO::geterror()));
+    return output;
+}
+
+bool hasFloats(const OIIO::ImageOutput& output) {
+    const std::string format = output.format_name();
+    return format == "openexr" || format == "hdr";
+}
+
+OIIO::ImageSpec specOf(const OIIO::ImageOutput& output, const SpectralHeader& like) {
+    const int channels = like.alpha && output.supports("alpha") != 0 ? 4 : 3;
+    OIIO::ImageSpec spec(like.data.width, like.data.height, channels,
+                         hasFloats(output) ? OIIO::TypeFloat : OIIO::TypeUInt8);
+    spec.attribute("PixelAspectRatio", like.pixelAspectRatio);
+    spec.attribute("oiio:ColorSpace", hasFloats(output) ? "lin_rec709" : "sRGB");
+    if (!hasFloats(output)) spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (output.supports("displaywindow") != 0) {
+        spec.x = like.data.x;
+        spec.y = like.data.y;
+        spec.full_x = like.display.x;
+        spec.full_y = like.display.y;
+        spec.full_width = like.display.width;
+        spec.full_height = like.display.height;
+    }
+    return spec;
+}
+
+std::uint8_t byteOf(double share) {
+    return std::uint8_t(std::lround(std::clamp(share, 0.0, 1.0) * 255));
+}
+
+class OpenImageIOPreview : public PreviewFile {
+  public:
+    OpenImageIOPreview(const std::filesystem::path& path, const SpectralHeader& like)
+        : output_(formatOf(path)), spec_(specOf(*output_, like)), file_(path) {
+        if (!output_->open(file_.temporaryPath().string(), spec_)) fail();
+    }
+
+    void writeRow(std::span<const float> rgba) override {
+        if (rgba.size() != std::size_t(spec_.width) * kGiven) {
+            throw ArgumentError("a row of another width");
+        }
+        const int y = spec_.y + rowsWritten_++;
+        const bool written =
+            hasFloats(*output_)
+                ? output_->write_scanline(y, 0, OIIO::TypeFloat, floats(rgba).data())
+                : output_->write_scanline(y, 0, OIIO::TypeUInt8, bytes(rgba).data());
+        if (!written) fail();
+    }
+
+    void commit() override {
+        if (!output_->close()) fail();
+        file_.commit();
+    }
+
+  private:
+    [[noreturn]] void fail() {
+        throw FileError(file_.path().string(), oneLine(output_->geterror()));
+    }
+
+    /// Linear, multiplied by alpha, as EXR wants it.
+    std::vector<float> floats(std::span<const float> rgba) const {
+        std::vector<float> row;
+        for (std::size_t t = 0; t < rgba.size(); t += kGiven) {
+            const float alpha = spec_.nchannels == kGiven ? rgba[t + 3] : 1.0F;
+            for (std::size_t c = 0; c < 3; ++c) row.push_back(rgba[t + c] * alpha);
+            if (spec_.nchannels == kGiven) row.push_back(alpha);
+        }
+        return row;
+    }
+
+    std::vector<std::uint8_t> bytes(std::span<const float> rgba) const {
+        std::vector<std::uint8_t> row;
+        for (std::size_t t = 0; t < rgba.size(); t += kGiven) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                row.push_back(byteOf(sRGBFromLinear(double(rgba[t + c]))));
+            }
+            if (spec_.nchannels == kGiven) row.push_back(byteOf(double(rgba[t + 3])));
+        }
+        return row;
+    }
+
+    std::unique_ptr<OIIO::ImageOutput> output_;
+    OIIO::ImageSpec spec_;
+    OutputFile file_;
+    int rowsWritten_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PreviewFile> createWithOpenImageIO(const std::filesystem::path& path,
+                                                   const SpectralHeader& like) {
+    return std::make_unique<OpenImageIOPreview>(path, like);
+}
+
+}  // namespace specbake

@@ -1,0 +1,36 @@
+#include "texture/plain/exr_input.h"
+
+#include "file/input_stream.h"
+
+#include <specbake/core/error.h>
+#include <specbake/image/image_types.h>
+
+namespace specbake {
+namespace {
+
+void ignoreMessage(exr_const_context_t /*context*/, exr_result_t /*code*/, const char* /*text*/) {}
+
+/// The first four bytes (OpenEXR file layout): 20000630 in little-endian order.
+constexpr const char* kSignature = "\x76\x2f\x31\x01";
+
+}  // namespace
+
+ExrInput::ExrInput(std::string path) : path_(std::move(path)) {
+    if (!beginsWith(path_, kSignature)) return;
+    exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
+    options.error_handler_fn = ignoreMessage;
+    options.max_image_width = kLargestSide;
+    options.max_image_height = kLargestSide;
+    exr_context_t context = nullptr;
+    if (exr_start_read(&context, path_.c_str(), &options) == EXR_ERR_SUCCESS) {
+        context_.reset(context);
+    }
+}
+
+void ExrInput::check(exr_result_t result) const {
+    if (result != EXR_ERR_SUCCESS) {
+        throw FileError(path_, exr_get_default_error_message(result));
+    }
+}
+
+}  // namespace specbake

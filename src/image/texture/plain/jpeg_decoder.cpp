@@ -1,0 +1,100 @@
+#include "texture/plain/jpeg_decoder.h"
+
+#include <specbake/core/error.h>
+
+#include <string_view>
+
+namespace specbake {
+
+/// libjpeg leaves a call that went wrong by longjmp, past frames that own nothing.
+template <class Call>
+void JpegDecoder::guarded(Call&& call) {
+    if (setjmp(errors_.leave) != 0) fail();
+    call();
+}
+
+void JpegDecoder::fail() const {
+    throw FileError(path_, std::string("JPEG: ") + errors_.message.data());
+}
+
+void JpegDecoder::onError(j_common_ptr jpeg) {
+    auto* errors = reinterpret_cast<Errors*>(jpeg->err);
+    errors->manager.format_message(jpeg, errors->message.data());
+    std::longjmp(errors->leave, 1);
+}
+
+/// Level -1 warns of damaged data, for which libjpeg makes up pixels.
+void JpegDecoder::onMessage(j_common_ptr jpeg, int level) {
+    if (level < 0) onError(jpeg);
+}
+
+JpegDecoder::JpegDecoder(const std::string& path) : path_(path), stream_(openStream(path)) {
+    jpeg_.err = jpeg_std_error(&errors_.manager);
+    errors_.manager.error_exit = onError;
+    errors_.manager.emit_message = onMessage;
+    readHeader();
+    describe();
+    readMarkers();
+}
+
+void JpegDecoder::readHeader() {
+    constexpr long mostMemory = 1L << 32;  // a progressive file is unpacked as a whole
+    constexpr unsigned longestMarker = 0xffff;
+    guarded([this] {
+        jpeg_create_decompress(&jpeg_);
+        jpeg_.mem->max_memory_to_use = mostMemory;
+        jpeg_stdio_src(&jpeg_, stream_.get());
+        for (const int marker : {JPEG_APP0 + 1, JPEG_APP0 + 13, JPEG_COM}) {
+            jpeg_save_markers(&jpeg_, marker, longestMarker);
+        }
+        jpeg_read_header(&jpeg_, TRUE);
+    });
+    checkSides(path_, jpeg_.image_width, jpeg_.image_height);
+    plain_ = jpeg_.num_components == 1 || jpeg_.num_components == 3;
+    if (plain_) {
+        guarded([this] { jpeg_start_decompress(&jpeg_); });
+    }
+}
+
+void JpegDecoder::describe() {
+    ImageDescription& d = description_;
+    d.data = {0, 0, int(jpeg_.image_width), int(jpeg_.image_height)};
+    d.display = d.data;
+    d.channels = jpeg_.num_components == 1 ? std::vector<std::string>{"Y"}
+                                           : std::vector<std::string>{"R", "G", "B"};
+    d.sampleType = SampleType::uint8;
+    const auto x = float(jpeg_.X_density);
+    const auto y = float(jpeg_.Y_density);
+    if (x == 0 || y == 0) return;
+    d.pixelAspectRatio = x / y;  // as the programs that write densities mean it
+    if (x == 1 || y == 1) return;
+    d.attributes["XResolution"] = x;
+    d.attributes["YResolution"] = y;
+    constexpr std::array units = {"none", "in", "cm"};
+    if (jpeg_.density_unit < units.size()) {
+        d.attributes["ResolutionUnit"] = std::string(units[jpeg_.density_unit]);
+    }
+}
+
+void JpegDecoder::readMarkers() {
+    for (auto* marker = jpeg_.marker_list; marker != nullptr; marker = marker->next) {
+        if (marker->marker != JPEG_COM) {
+            plain_ = false;
+            return;
+        }
+        // A comment may end in a zero, as strings of C do.
+        const std::string_view comment(reinterpret_cast<const char*>(marker->data),
+                                       marker->data_length);
+        description_.attributes.emplace("ImageDescription",
+                                        std::string(comment.substr(0, comment.find('\0'))));
+    }
+}
+
+void JpegDecoder::readRow(std::byte* samples) {
+    auto* row = reinterpret_cast<JSAMPROW>(samples);
+    guarded([&] { jpeg_read_scanlines(&jpeg_, &row, 1); });
+    if (jpeg_.output_scanline < jpeg_.output_height) return;
+    guarded([this] { jpeg_finish_decompress(&jpeg_); });
+}
+
+}  // namespace specbake

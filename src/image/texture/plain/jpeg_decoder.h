@@ -1,0 +1,62 @@
+#pragma once
+
+#include "file/input_stream.h"
+#include "texture/image_file.h"
+
+#include <jpeglib.h>
+
+#include <array>
+#include <csetjmp>
+#include <cstdio>  // jpeglib.h needs it before
+#include <string>
+
+namespace specbake {
+
+/// A grey or RGB JPEG, read by libjpeg row by row. Stands before the first row when made.
+class JpegDecoder {
+  public:
+    /// Throws FileError for what is no JPEG, or none of bounded size.
+    explicit JpegDecoder(const std::string& path);
+    JpegDecoder(const JpegDecoder&) = delete;
+    JpegDecoder& operator=(const JpegDecoder&) = delete;
+
+    const ImageDescription& description() const { return description_; }
+
+    /// Grey or RGB, and no metadata that other libraries know how to read (Exif, XMP, IPTC).
+    bool isPlain() const { return plain_; }
+
+    /// Throws FileError, also where data lack or are damaged so that libjpeg would make them up.
+    void readRow(std::byte* samples);
+
+  private:
+    /// Where libjpeg goes when a call cannot go on. The first member is what it knows.
+    struct Errors {
+        jpeg_error_mgr manager;
+        std::jmp_buf leave;
+        std::array<char, JMSG_LENGTH_MAX> message;
+    };
+    /// All zero, as jpeg_destroy_decompress() wants one that was not created.
+    struct Decompressor : jpeg_decompress_struct {
+        Decompressor() : jpeg_decompress_struct{} {}
+        ~Decompressor() { jpeg_destroy_decompress(this); }
+        Decompressor(const Decompressor&) = delete;
+        Decompressor& operator=(const Decompressor&) = delete;
+    };
+    template <class Call>
+    void guarded(Call&& call);
+    [[noreturn]] void fail() const;
+    [[noreturn]] static void onError(j_common_ptr jpeg);
+    static void onMessage(j_common_ptr jpeg, int level);
+    void readHeader();
+    void describe();
+    void readMarkers();
+
+    std::string path_;
+    InputStream stream_;
+    Errors errors_{};
+    Decompressor jpeg_;
+    ImageDescription description_;
+    bool plain_ = true;
+};
+
+}  // namespace specbake

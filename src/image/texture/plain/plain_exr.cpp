@@ -1,0 +1,116 @@
+#include "texture/plain/plain_exr.h"
+
+#include "texture/plain/exr_description.h"
+#include "texture/plain/exr_input.h"
+
+#include <specbake/core/error.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <map>
+
+namespace specbake {
+namespace {
+
+/// The unpacking of one chunk (openexr_decode.h).
+class Decoder {
+  public:
+    Decoder(const ExrInput& input, const exr_chunk_info_t& chunk) : input_(input) {
+        input_.check(exr_decoding_initialize(input_.get(), 0, &chunk, &pipeline_));
+    }
+    ~Decoder() { exr_decoding_destroy(input_.get(), &pipeline_); }
+    Decoder(const Decoder&) = delete;
+    Decoder& operator=(const Decoder&) = delete;
+
+    std::span<exr_coding_channel_info_t> channels() {
+        return {pipeline_.channels, std::size_t(pipeline_.channel_count)};
+    }
+    void run() {
+        input_.check(exr_decoding_choose_default_routines(input_.get(), 0, &pipeline_));
+        input_.check(exr_decoding_run(input_.get(), 0, &pipeline_));
+    }
+
+  private:
+    const ExrInput& input_;
+    exr_decode_pipeline_t pipeline_ = EXR_DECODE_PIPELINE_INITIALIZER;
+};
+
+class PlainExr : public ImageFile {
+  public:
+    PlainExr(std::string path, ExrInput input, ExrDescription description)
+        : ImageFile(std::move(description.image)),
+          path_(std::move(path)),
+          input_(std::move(input)),
+          texts_(std::move(description.texts)) {}
+
+    std::optional<std::string> text(const std::string& attribute) const override {
+        const auto found = texts_.find(attribute);
+        if (found == texts_.end()) return {};
+        return found->second;
+    }
+
+  private:
+    void unpackRows(int first, int count, SampleType type, std::span<std::byte> samples) override {
+        const ImageDescription& d = description();
+        if (type != d.sampleType && type != SampleType::float32) {
+            throw ArgumentError("an EXR has floating-point samples");
+        }
+        const std::size_t bytes = rowBytes(type);
+        for (int row = 0; row < count; ++row) {
+            const int y = d.data.y + first + row;
+            if (type != type_ || y < chunkFirst_ || y >= chunkEnd_) unpackChunk(y, type);
+            std::memcpy(samples.data() + bytes * std::size_t(row),
+                        chunk_.data() + bytes * std::size_t(y - chunkFirst_), bytes);
+        }
+    }
+
+    /// The chunk that holds row y, as interleaved samples of that type, into chunk_.
+    void unpackChunk(int y, SampleType type) {
+        exr_chunk_info_t info{};
+        input_.check(exr_read_scanline_chunk_info(input_.get(), 0, y, &info));
+        if (info.width != description().data.width || y < info.start_y ||
+            y >= info.start_y + info.height) {
+            throw FileError(path_, "damaged: a chunk of another place");
+        }
+        chunkEnd_ = chunkFirst_;  // none, should this throw
+        chunk_.resize(rowBytes(type) * std::size_t(info.height));
+        Decoder decoder(input_, info);
+        const std::vector<std::string>& names = description().channels;
+        for (exr_coding_channel_info_t& channel : decoder.channels()) {
+            const auto place = std::find(names.begin(), names.end(), channel.channel_name);
+            const auto index = std::size_t(place - names.begin());
+            channel.decode_to_ptr =
+                reinterpret_cast<std::uint8_t*>(chunk_.data() + index * bytesPerSample(type));
+            channel.user_bytes_per_element = std::int16_t(bytesPerSample(type));
+            channel.user_data_type =
+                std::uint16_t(type == SampleType::half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT);
+            channel.user_pixel_stride = std::int32_t(names.size() * bytesPerSample(type));
+            channel.user_line_stride = std::int32_t(rowBytes(type));
+        }
+        decoder.run();
+        chunkFirst_ = info.start_y;
+        chunkEnd_ = info.start_y + info.height;
+        type_ = type;
+    }
+
+    std::string path_;
+    ExrInput input_;
+    std::map<std::string, std::string> texts_;
+    std::vector<std::byte> chunk_;  ///< rows [chunkFirst_, chunkEnd_), as samples of type_
+    int chunkFirst_ = 0;
+    int chunkEnd_ = 0;
+    SampleType type_ = SampleType::half;
+};
+
+}  // namespace
+
+std::unique_ptr<ImageFile> openPlainExr(const std::string& path) {
+    ExrInput input(path);
+    if (!input.isOpen()) return {};
+    std::optional<ExrDescription> description = describePlain(input);
+    if (!description) return {};
+    return std::make_unique<PlainExr>(path, std::move(input), std::move(*description));
+}
+
+}  // namespace specbake

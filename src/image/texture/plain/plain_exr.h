@@ -1,0 +1,17 @@
+#pragma once
+
+#include "texture/image_file.h"
+
+namespace specbake {
+
+/// Samples of an image, of all channels together, up to which openPlainExr() takes it. Beyond that
+/// OpenImageIO's start is a small part of the work, and its threads unpack rows faster.
+inline constexpr long long kMostPlainSamples = 1 << 22;
+
+/// Opens an EXR that is nothing but pixels: one part of scan lines, without loss, channels of one
+/// type that are grey, RGB, XYZ or the bands of a spectral image, no attributes beside those that
+/// the format asks for, chromaticities, a date and what this project writes. Null for any other
+/// file, which is OpenImageIO's to read or refuse.
+std::unique_ptr<ImageFile> openPlainExr(const std::string& path);
+
+}  // namespace specbake

@@ -1,0 +1,15 @@
+#include "texture/plain/plain_png.h"
+
+#include "texture/plain/png_decoder.h"
+#include "texture/sequential_file.h"
+
+namespace specbake {
+
+std::unique_ptr<ImageFile> openPlainPng(const std::string& path) {
+    if (!beginsWith(path, "\x89PNG\r\n\x1a\n")) return {};
+    auto decoder = std::make_unique<PngDecoder>(path);
+    if (decoder->isInterlaced() || decoder->hasRichMetadata()) return {};
+    return std::make_unique<SequentialFile<PngDecoder>>(path, std::move(decoder));
+}
+
+}  // namespace specbake

@@ -1,0 +1,138 @@
+#include "texture/plain/png_decoder.h"
+
+#include "texture/kept_metadata.h"
+
+#include <specbake/core/error.h>
+
+#include <strings.h>
+
+#include <bit>
+#include <csetjmp>
+#include <cstdio>
+
+namespace specbake {
+namespace {
+
+void ignore(png_structp, png_const_charp) {}
+
+bool sameWord(const char* a, const char* b) {
+    return strcasecmp(a, b) == 0;
+}
+
+float perInch(png_uint_32 perMetre) {
+    return float(perMetre) * (2.54F / 100.0F);
+}
+
+}  // namespace
+
+/// libpng leaves a call that went wrong by longjmp, past frames that own nothing.
+template <class Call>
+void PngDecoder::guarded(Call&& call) {
+    if (setjmp(png_jmpbuf(png_.read)) != 0) fail();
+    call();
+}
+
+void PngDecoder::fail() const {
+    throw FileError(path_, std::string("PNG: ") + message_.data());
+}
+
+void PngDecoder::onError(png_structp png, png_const_charp message) {
+    auto& said = static_cast<PngDecoder*>(png_get_error_ptr(png))->message_;
+    std::snprintf(said.data(), said.size(), "%s", message);
+    png_longjmp(png, 1);
+}
+
+PngDecoder::PngDecoder(const std::string& path) : path_(path), stream_(openStream(path)) {
+    png_.read = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, onError, ignore);
+    png_.info = png_.read == nullptr ? nullptr : png_create_info_struct(png_.read);
+    if (png_.info == nullptr) throw FileError(path_, "PNG: libpng cannot be used");
+    readHeader();
+    describe();
+    readMetadata();
+}
+
+void PngDecoder::readHeader() {
+    guarded([this] {
+        png_init_io(png_.read, stream_.get());
+        png_set_user_limits(png_.read, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkSides() has ours
+        png_read_info(png_.read, png_.info);
+        png_set_expand(png_.read);
+        if (std::endian::native == std::endian::little) png_set_swap(png_.read);
+    });
+    checkSides(path_, png_get_image_width(png_.read, png_.info),
+               png_get_image_height(png_.read, png_.info));
+    if (!isInterlaced()) {
+        guarded([this] { png_read_update_info(png_.read, png_.info); });
+    }
+}
+
+bool PngDecoder::isInterlaced() const {
+    return png_get_interlace_type(png_.read, png_.info) != PNG_INTERLACE_NONE;
+}
+
+void PngDecoder::describe() {
+    ImageDescription& d = description_;
+    d.data = {png_get_x_offset_pixels(png_.read, png_.info),
+              png_get_y_offset_pixels(png_.read, png_.info),
+              int(png_get_image_width(png_.read, png_.info)),
+              int(png_get_image_height(png_.read, png_.info))};
+    d.display = {0, 0, d.data.width, d.data.height};
+    const int channels = png_get_channels(png_.read, png_.info);
+    d.channels =
+        channels < 3 ? std::vector<std::string>{"Y"} : std::vector<std::string>{"R", "G", "B"};
+    if (channels == 2 || channels == 4) {
+        d.alpha = int(d.channels.size());
+        d.channels.emplace_back("A");
+    }
+    d.sampleType =
+        png_get_bit_depth(png_.read, png_.info) == 16 ? SampleType::uint16 : SampleType::uint8;
+}
+
+void PngDecoder::readText(const char* key, const std::string& text) {
+    if (sameWord(key, "XML:com.adobe.xmp") || sameWord(key, "Raw profile type exif")) {
+        hasRichMetadata_ = true;
+    } else if (sameWord(key, "Description")) {
+        description_.attributes["ImageDescription"] = text;
+    } else if (sameWord(key, "Author")) {
+        description_.attributes["Artist"] = text;
+    } else if (sameWord(key, "Title")) {
+        description_.attributes["DocumentName"] = text;
+    } else if (isKeptMetadata(key)) {
+        description_.attributes[key] = text;
+    }
+}
+
+/// Under the names that other formats have, so that they mean the same in an EXR.
+void PngDecoder::readMetadata() {
+    Attributes& attributes = description_.attributes;
+    png_timep t = nullptr;
+    if (png_get_tIME(png_.read, png_.info, &t) != 0) {
+        std::array<char, 32> time{};
+        std::snprintf(time.data(), time.size(), "%4d:%02d:%02d %02d:%02d:%02d", t->year, t->month,
+                      t->day, t->hour, t->minute, t->second);
+        attributes["DateTime"] = std::string(time.data());
+    }
+    png_textp texts = nullptr;
+    const int count = png_get_text(png_.read, png_.info, &texts, nullptr);
+    for (int i = 0; i < count; ++i) readText(texts[i].key, texts[i].text);
+    png_uint_32 x = 0;
+    png_uint_32 y = 0;
+    int unit = 0;
+    if (png_get_pHYs(png_.read, png_.info, &x, &y, &unit) != 0) {
+        const bool metric = unit == PNG_RESOLUTION_METER;
+        attributes["ResolutionUnit"] = std::string(metric ? "inch" : "none");
+        attributes["XResolution"] = metric ? perInch(x) : float(x);
+        attributes["YResolution"] = metric ? perInch(y) : float(y);
+        const float aspect = png_get_pixel_aspect_ratio(png_.read, png_.info);
+        if (aspect != 0) description_.pixelAspectRatio = aspect;
+    }
+    if (png_get_valid(png_.read, png_.info, PNG_INFO_eXIf) != 0) hasRichMetadata_ = true;
+}
+
+void PngDecoder::readRow(std::byte* samples) {
+    guarded([&] { png_read_row(png_.read, reinterpret_cast<png_bytep>(samples), nullptr); });
+    if (++rowsRead_ < description_.data.height) return;
+    guarded([this] { png_read_end(png_.read, nullptr); });
+}
+
+}  // namespace specbake
