@@ -1,29 +1,24 @@
 #include "attributes.h"
 
-#include "solvers.h"
-#include "version.h"
+#include <specbake/version.h>
 
-namespace specbake {
-namespace {
+namespace specbake::internal {
 
-constexpr const char* kObserver = "CIE 1931 2 degree, 5 nm";
-
-}  // namespace
-
-Attributes bakedAttributes(const Attributes& texture, const BakeOptions& options,
-                           const ColorSpace& space, const std::string& illuminant) {
+Attributes bakedAttributes(const Attributes& texture, const Upsampler& upsampler,
+                           std::optional<int> bits) {
+    const UpsamplerOptions& model = upsampler.options();
     Attributes all = texture;
     all["spectralLayoutVersion"] = "1.0";
     all["Software"] = std::string("specbake ") + kVersion;
     all["specbake:version"] = kVersion;
-    all["specbake:method"] = std::string(methodName(options.method));
-    all["specbake:grid"] = options.perTexel ? 0 : options.grid;
-    if (options.storage.sampleType == SampleType::half) all["specbake:bits"] = options.bits;
-    all["specbake:illuminant"] = illuminant;
-    all["specbake:observer"] = kObserver;
-    all["specbake:colorspace"] = space.name;
-    all["specbake:outside"] = std::string(outsideName(options.outside));
+    all["specbake:method"] = model.method;
+    all["specbake:grid"] = model.grid.value_or(0);
+    if (bits) all["specbake:bits"] = *bits;
+    all["specbake:illuminant"] = upsampler.observer().illuminant();
+    all["specbake:observer"] = std::string(upsampler.observer().name());
+    all["specbake:colorspace"] = upsampler.space().name;
+    all["specbake:outside"] = std::string(outsideName(model.outside));
     return all;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

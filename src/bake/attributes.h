@@ -1,11 +1,15 @@
 #pragma once
 
-#include <specbake/bake/bake.h>
+#include <specbake/core/upsampler.h>
+#include <specbake/image/image_types.h>
 
-namespace specbake {
+#include <optional>
+
+namespace specbake::internal {
 
 /// The texture's metadata with what is needed to know how the file was made (docs/file-format.md).
-Attributes bakedAttributes(const Attributes& texture, const BakeOptions& options,
-                           const ColorSpace& space, const std::string& illuminant);
+/// `bits`: of the mantissa of half samples; none for floats.
+Attributes bakedAttributes(const Attributes& texture, const Upsampler& upsampler,
+                           std::optional<int> bits);
 
-}  // namespace specbake
+}  // namespace specbake::internal

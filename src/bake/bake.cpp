@@ -1,96 +1,137 @@
 #include "attributes.h"
 #include "baking.h"
 #include "choose/tolerances.h"
-#include "mantissa.h"
 
 #include <specbake/bake/bake.h>
 #include <specbake/core/error.h>
+#include <specbake/image/spectral_writer.h>
+#include <specbake/image/texture_reader.h>
 
 #include <chrono>
+#include <limits>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
-SpectralHeader headerOf(const TextureInfo& info, Attributes attributes) {
-    return {info.data, info.display, info.pixelAspectRatio, info.alpha.has_value(),
-            std::move(attributes)};
+const BakeOptions& checked(const BakeOptions& options) {
+    std::string reason;
+    if (!options.isValid(&reason)) throw ArgumentError(reason);
+    return options;
 }
 
-/// The options with what they leave to the texture decided.
-struct Decided {
-    BakeOptions options;
-    std::optional<double> deviation;
-    std::optional<double> difference;
+ColorSpace chosenSpace(const TextureInfo& info, const BakeOptions& options) {
+    if (!options.space) return info.automaticSpace;
+    const ColorSpace* space = findColorSpace(*options.space);
+    if (space == nullptr) throw ArgumentError("unknown colour space '" + *options.space + "'");
+    return *space;
+}
 
-    std::optional<int> grid() const {
-        return options.perTexel ? std::nullopt : std::optional(options.grid);
+/// A texture, its model, and the precision of its samples: what the options leave to the texture is
+/// decided.
+class Job {
+  public:
+    Job(Texture& texture, const BakeOptions& options)
+        : options_(checked(options)),
+          space_(chosenSpace(texture.info(), options)),
+          decoder_(texture.info(), space_),
+          source_{texture, decoder_, options.threads, options.stop},
+          upsampler_(space_, decidedModel()),
+          bits_(decidedBits()) {}
+    Job(const Job&) = delete;
+    Job& operator=(const Job&) = delete;
+
+    SpectralHeader header() const {
+        const TextureInfo& info = source_.info();
+        return {info.data, info.display, info.pixelAspectRatio, info.alpha.has_value(),
+                bakedAttributes(info.attributes, upsampler_,
+                                half() ? std::optional(bits_) : std::nullopt)};
     }
+
+    BakeStatistics run(SpectralSink& sink) {
+        const ColorCensus census = Baking(source_, upsampler_, sink, bits_).run(options_.progress);
+        const TextureInfo& info = source_.info();
+        statistics_.space = upsampler_.space().name;
+        statistics_.illuminant = upsampler_.observer().illuminant();
+        statistics_.texels = std::size_t(info.data.width) * std::size_t(info.data.height);
+        statistics_.grid = upsampler_.options().grid.value_or(0);
+        statistics_.bits = half() ? bits_ : std::numeric_limits<float>::digits - 1;
+        statistics_.directTexels = census.of(Fate::solved).count + census.of(Fate::moved).count;
+        statistics_.outsideTexels = census.of(Fate::moved).count;
+        statistics_.largestMove = census.largestMove();
+        statistics_.nodesSolved = upsampler_.nodesSolved();
+        statistics_.notes = info.notes;
+        return statistics_;
+    }
+
+  private:
+    bool half() const { return options_.storage.sampleType == SampleType::half; }
+
+    UpsamplerOptions decidedModel() {
+        UpsamplerOptions model = options_.model;
+        if (!options_.maxDeviation || !model.grid) return model;
+        const GridChoice choice = chooseGrid(source_, space_, model, *options_.maxDeviation);
+        statistics_.deviation = choice.deviation;
+        model.grid = choice.nodes;
+        return model;
+    }
+
+    int decidedBits() {
+        if (!options_.maxDE || !half()) return options_.bits;
+        const BitsChoice choice = chooseBits(source_, upsampler_, *options_.maxDE);
+        statistics_.difference = choice.difference;
+        return choice.bits;
+    }
+
+    BakeOptions options_;
+    BakeStatistics statistics_;
+    ColorSpace space_;
+    TexelDecoder decoder_;
+    TexelSource source_;
+    Upsampler upsampler_;
+    int bits_;
 };
 
-Decided decidedGrid(const Job& job, const BakeOptions& options) {
-    if (options.bits < kFewestMantissaBits || options.bits > kHalfMantissaBits) {
-        throw ArgumentError("a half's mantissa is rounded to 4 to 10 bits");
-    }
-    Decided decided{options, {}, {}};
-    if (!options.maxDeviation || options.perTexel) return decided;
-    const GridChoice choice = chooseGrid(job, *options.maxDeviation);
-    decided.options.grid = choice.nodes;
-    decided.deviation = choice.deviation;
-    return decided;
-}
-
-void decideBits(const Job& job, SpectrumLookup& lookup, Decided& decided) {
-    BakeOptions& options = decided.options;
-    if (!options.maxDE || options.storage.sampleType != SampleType::half) return;
-    const BitsChoice choice = chooseBits(job, lookup, *options.maxDE);
-    options.bits = choice.bits;
-    decided.difference = choice.difference;
-}
-
-BakeStatistics statisticsOf(const Job& job, const Decided& decided, const TexelCensus& census) {
-    const TextureInfo& info = job.reader.info();
-    BakeStatistics s;
-    s.space = job.space.name;
-    s.illuminant = job.observer.illuminant();
-    s.texels = std::size_t(info.data.width) * std::size_t(info.data.height);
-    s.grid = decided.grid().value_or(0);
-    s.bits = decided.options.storage.sampleType == SampleType::half ? decided.options.bits : 23;
-    s.deviation = decided.deviation;
-    s.difference = decided.difference;
-    s.directTexels = census.of(Fate::solved).count + census.of(Fate::moved).count;
-    s.outsideTexels = census.of(Fate::moved).count;
-    s.largestMove = census.largestMove();
-    s.notes = info.notes;
-    return s;
-}
-
-BakeStatistics bakeJob(Job& job, const std::filesystem::path& output, const BakeOptions& options) {
-    Decided decided = decidedGrid(job, options);
-    SpectrumLookup lookup(decided.grid(), job.spaces, job.resolver);
-    decideBits(job, lookup, decided);
-    const TextureInfo& info = job.reader.info();
-    SpectralWriter writer(output,
-                          headerOf(info, bakedAttributes(info.attributes, decided.options,
-                                                         job.space, job.observer.illuminant())),
-                          options.storage);
-    const TexelCensus census =
-        Baking(job, lookup, writer, options.storage, decided.options.bits).run(options.progress);
-    writer.commit();
-    BakeStatistics statistics = statisticsOf(job, decided, census);
-    statistics.nodesSolved = lookup.nodesSolved();
+/// How long `work` takes stands in the statistics that it returns.
+template <class Work>
+BakeStatistics timed(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    BakeStatistics statistics = work();
+    statistics.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return statistics;
 }
 
 }  // namespace
 
+BakeStatistics bake(Texture& texture, const std::filesystem::path& output,
+                    const BakeOptions& options) {
+    return timed([&] {
+        Job job(texture, options);
+        SpectralWriter writer(output, job.header(), options.storage);
+        BakeStatistics statistics = job.run(writer);
+        writer.commit();
+        return statistics;
+    });
+}
+
 BakeStatistics bake(const std::string& input, const std::filesystem::path& output,
                     const BakeOptions& options) {
-    const auto start = std::chrono::steady_clock::now();
-    Job job(input, options);
-    BakeStatistics statistics = bakeJob(job, output, options);
-    statistics.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return statistics;
+    TextureReader texture(input);
+    return bake(texture, output, options);
+}
+
+BakeStatistics bake(Texture& texture, const RowReceiver& receiver, const BakeOptions& options) {
+    if (options.storage.isTiled()) throw ArgumentError("rows have neither tiles nor mip levels");
+    return timed([&] {
+        Job job(texture, options);
+        const SpectralHeader header = job.header();
+        if (receiver.begin) receiver.begin(header);
+        RowSink sink(header, options.storage.sampleType, receiver.row);
+        return job.run(sink);
+    });
 }
 
 }  // namespace specbake

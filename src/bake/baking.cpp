@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <utility>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// "FILE: pixel (x, y) is …; N in all", with the window's coordinates.
-[[noreturn]] void refuse(const TextureInfo& info, const TexelCensus::Kind& kind, const char* what) {
+[[noreturn]] void refuse(const TextureInfo& info, const ColorCensus::Kind& kind, const char* what) {
     const auto width = std::size_t(info.data.width);
     const std::string x = std::to_string(info.data.x + int(*kind.first % width));
     const std::string y = std::to_string(info.data.y + int(*kind.first / width));
@@ -20,7 +20,7 @@ namespace {
                                    std::to_string(kind.count) + " such in all");
 }
 
-void refuseIncomplete(const TextureInfo& info, const TexelCensus& census) {
+void refuseIncomplete(const TextureInfo& info, const ColorCensus& census) {
     const std::pair<Fate, const char*> reasons[] = {
         {Fate::notFinite, "is not a finite number"},
         {Fate::refused, "has a colour that no reflectance has"},
@@ -32,18 +32,16 @@ void refuseIncomplete(const TextureInfo& info, const TexelCensus& census) {
 
 }  // namespace
 
-Baking::Baking(Job& job, SpectrumLookup& lookup, SpectralWriter& writer,
-               const StorageOptions& storage, int bits)
-    : job_(job),
-      lookup_(lookup),
-      writer_(writer),
-      storage_(storage),
+Baking::Baking(const TexelSource& source, const Upsampler& upsampler, SpectralSink& sink, int bits)
+    : source_(source),
+      upsampler_(upsampler),
+      sink_(sink),
       bits_(bits),
-      pyramid_(std::span(writer.levels()).subspan(1), job.reader.info().alpha.has_value()),
-      levelTiles_(writer, storage.sampleType, bits, job.reader.info().alpha.has_value()) {}
+      pyramid_(std::span(sink.levels()).subspan(1), sink.alpha()),
+      levelTiles_(sink, bits) {}
 
-TexelCensus Baking::run(const std::function<void(double)>& progress) {
-    const int height = job_.reader.info().data.height;
+ColorCensus Baking::run(const std::function<void(double)>& progress) {
+    const int height = source_.info().data.height;
     std::vector<Band> bands = bandsOf();
     const auto write = [&](int i) {
         Band& band = bands[std::size_t(i)];
@@ -54,18 +52,18 @@ TexelCensus Baking::run(const std::function<void(double)>& progress) {
     runPipeline(int(bands.size()),
                 {[&](int i) { readBand(bands[std::size_t(i)]); },
                  [&](int i) { processBand(bands[std::size_t(i)]); }, write},
-                job_.threads, job_.stop);
-    refuseIncomplete(job_.reader.info(), census_);
+                source_.threads, source_.stop);
+    refuseIncomplete(source_.info(), census_);
     return census_;
 }
 
 /// Bands of whole chunks, at least 16 rows where they are short, so that a task is worth it. They
 /// begin at even rows where there is a level below: so does what a row of that level is made of.
 std::vector<Band> Baking::bandsOf() const {
-    const ChunkGrid& image = writer_.levels().front();
+    const ChunkGrid& image = sink_.levels().front();
     constexpr std::size_t worthwhile = 1 << 22;  // bytes
-    const std::size_t rowBytes = std::size_t(image.width) * std::size_t(writer_.channelCount()) *
-                                 bytesPerSample(storage_.sampleType);
+    const std::size_t rowBytes = std::size_t(image.width) * std::size_t(sink_.channelCount()) *
+                                 bytesPerSample(sink_.sampleType());
     const int rows = int(std::min<std::size_t>(worthwhile / rowBytes, 16));
     int rowsOfChunks = std::max(1, rows / image.chunkHeight);
     if (hasLevels() && rowsOfChunks * image.chunkHeight % 2 == 1) rowsOfChunks *= 2;
@@ -86,44 +84,44 @@ std::vector<Band> Baking::bandsOf() const {
 }
 
 void Baking::readBand(Band& band) {
-    const std::size_t rowBytes = job_.reader.info().bytesPerRow();
+    const std::size_t rowBytes = source_.info().bytesPerRow();
     band.stored = std::exchange(readAhead_, {});
     const std::size_t there = band.stored.size();
     const int first = int(there / rowBytes);
     const int rows = band.rows + band.rowsAhead;
     band.stored.resize(rowBytes * std::size_t(rows));
     if (first < rows) {
-        job_.reader.readRows(band.firstRow + first, rows - first,
-                             std::span(band.stored).subspan(there));
+        source_.texture.readRows(band.firstRow + first, rows - first,
+                                 std::span(band.stored).subspan(there));
     }
     const auto ahead = std::ptrdiff_t(rowBytes) * band.rowsAhead;
     readAhead_.assign(band.stored.end() - ahead, band.stored.end());
 }
 
 void Baking::processBand(Band& band) {
-    const ChunkGrid& image = writer_.levels().front();
+    const ChunkGrid& image = sink_.levels().front();
     Buffers& buffers = buffers_.local();
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         const int chunk = band.firstChunk + int(i);
         std::vector<std::byte> samples;
         spare_.try_pop(samples);
-        samples.resize(writer_.chunkBytes(chunk));
+        samples.resize(sink_.chunkBytes(chunk));
         const Window texels = image.texels(chunk);
         const std::size_t rowBytes = samples.size() / std::size_t(texels.height);
         for (int row = 0; row < texels.height; ++row) {
-            blendRun(band, {texels.x, texels.y + row, texels.width, 1}, blendType(), buffers,
-                     std::span(samples).subspan(std::size_t(row) * rowBytes, rowBytes),
-                     band.census);
+            bakeRun(band, {texels.x, texels.y + row, texels.width, 1}, sink_.sampleType(), buffers,
+                    std::span(samples).subspan(std::size_t(row) * rowBytes, rowBytes), band.census);
         }
-        if (band.census.complete()) band.packed[i] = writer_.pack(chunk, std::move(samples));
+        if (band.census.withoutSpectrum() == 0)
+            band.packed[i] = sink_.pack(chunk, std::move(samples));
     }
-    if (hasLevels() && band.census.complete()) reduceBand(band);
+    if (hasLevels() && band.census.withoutSpectrum() == 0) reduceBand(band);
     band.stored = {};
 }
 
 /// The rows of the level below whose first tap is in the band.
 void Baking::reduceBand(Band& band) {
-    const ChunkGrid& image = writer_.levels().front();
+    const ChunkGrid& image = sink_.levels().front();
     const int height = image.height;
     std::vector<std::pair<int, TexelRow>> known;  // rows of the image
     for (int row = band.firstRow / 2; row < halvedSide(height); ++row) {
@@ -135,52 +133,44 @@ void Baking::reduceBand(Band& band) {
         }
         std::vector<const TexelRow*> rows;
         for (const auto& [y, texels] : known) rows.push_back(&texels);
-        band.smaller.push_back(
-            averageRows(rows, taps, image.width, job_.reader.info().alpha.has_value()));
+        band.smaller.push_back(averageRows(rows, taps, image.width, sink_.alpha()));
     }
 }
 
 TexelRow Baking::unroundedRow(const Band& band, int row) {
-    const int width = writer_.levels().front().width;
-    TexelRow texels(std::size_t(width) * std::size_t(writer_.channelCount()));
-    TexelCensus counted;  // once, when the row's samples were made
-    blendRun(band, {0, row, width, 1}, BlendType::float32, buffers_.local(),
-             std::as_writable_bytes(std::span(texels)), counted);
+    const int width = sink_.levels().front().width;
+    TexelRow texels(std::size_t(width) * std::size_t(sink_.channelCount()));
+    ColorCensus counted;  // once, when the row's samples were made
+    bakeRun(band, {0, row, width, 1}, SampleType::float32, buffers_.local(),
+            std::as_writable_bytes(std::span(texels)), counted);
     return texels;
 }
 
-BlendType Baking::blendType() const {
-    return storage_.sampleType == SampleType::half ? BlendType::half : BlendType::float32;
-}
-
-void Baking::blendRun(const Band& band, const Window& run, BlendType type, Buffers& buffers,
-                      std::span<std::byte> samples, TexelCensus& census) {
-    const TextureInfo& info = job_.reader.info();
+void Baking::bakeRun(const Band& band, const Window& run, SampleType type, Buffers& buffers,
+                     std::span<std::byte> samples, ColorCensus& census) {
+    const TextureInfo& info = source_.info();
     const auto count = std::size_t(run.width);
     buffers.colors.resize(count);
     buffers.alpha.resize(info.alpha ? count : 0);
-    buffers.mixes.resize(count);
     const std::size_t texelBytes = info.bytesPerRow() / std::size_t(info.data.width);
     const std::size_t offset =
         info.bytesPerRow() * std::size_t(run.y - band.firstRow) + texelBytes * std::size_t(run.x);
-    job_.decoder.decode(std::span(band.stored).subspan(offset, texelBytes * count), count,
-                        buffers.colors.data(), buffers.alpha.data());
-    SpectrumLookup::Scratch scratch;
-    const std::size_t first =
-        std::size_t(run.y) * std::size_t(info.data.width) + std::size_t(run.x);
-    lookup_.locate(buffers.colors, first, buffers.mixes, scratch, census);
-    const std::size_t plane = samples.size() / std::size_t(writer_.channelCount());
+    source_.decoder.decode(std::span(band.stored).subspan(offset, texelBytes * count), count,
+                           buffers.colors.data(), buffers.alpha.data());
+    const std::size_t plane = samples.size() / std::size_t(sink_.channelCount());
     if (info.alpha) storeSamples(buffers.alpha, type, samples.data());
     const auto colorPlanes = samples.subspan(info.alpha ? plane : 0);
-    blend(buffers.mixes, type, colorPlanes.data(), plane);
-    if (type == BlendType::half) roundMantissa(colorPlanes, bits_);
+    const auto target = SampleTarget::planar(type, colorPlanes.data(), plane);
+    census.add(upsampler_.sample(buffers.colors, channels_, target, buffers.upsampling),
+               std::size_t(run.y) * std::size_t(info.data.width) + std::size_t(run.x));
+    if (type == SampleType::half) roundMantissa(colorPlanes, bits_);
 }
 
 void Baking::writeBand(Band& band) {
     census_.add(band.census);
-    if (!census_.complete()) return;
+    if (census_.withoutSpectrum() > 0) return;
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
-        writer_.write(band.firstChunk + int(i), band.packed[i]);
+        sink_.write(band.firstChunk + int(i), band.packed[i]);
         spare_.push(std::move(band.packed[i]));
     }
     for (TexelRow& row : band.smaller) {
@@ -189,4 +179,4 @@ void Baking::writeBand(Band& band) {
     }
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "band.h"
-#include "job.h"
 #include "mip/level_tiles.h"
+#include "texel_source.h"
 
-#include <specbake/image/spectral_writer.h>
+#include <specbake/core/upsampler.h>
+#include <specbake/image/spectral_sink.h>
 
 #include <tbb/concurrent_queue.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -13,18 +14,17 @@
 #include <span>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
-/// One texture on its way to its file: what the three stages of the pipeline share.
+/// One texture on its way to a sink: what the three stages of the pipeline share.
 class Baking {
   public:
-    /// `bits`: of the mantissa of half samples.
-    Baking(Job& job, SpectrumLookup& lookup, SpectralWriter& writer, const StorageOptions& storage,
-           int bits);
+    /// `bits`: of the mantissa of half samples. All that it is given must outlive it.
+    Baking(const TexelSource& source, const Upsampler& upsampler, SpectralSink& sink, int bits);
 
-    /// All rows, read, solved, packed and written; the writer is not committed. Throws FileError
-    /// for texels that have no spectrum, naming the first, and Cancelled.
-    TexelCensus run(const std::function<void(double)>& progress);
+    /// All rows, read, solved, packed and written. Throws FileError for texels that have no
+    /// spectrum, naming the first, and Cancelled.
+    ColorCensus run(const std::function<void(double)>& progress);
 
   private:
     std::vector<Band> bandsOf() const;
@@ -32,31 +32,30 @@ class Baking {
     void processBand(Band& band);
     void reduceBand(Band& band);
     void writeBand(Band& band);
-    bool hasLevels() const { return writer_.levels().size() > 1; }
+    bool hasLevels() const { return sink_.levels().size() > 1; }
     /// What a thread keeps from band to band.
     struct Buffers {
         std::vector<std::array<float, 3>> colors;
         std::vector<float> alpha;
-        std::vector<Mix> mixes;
+        Upsampler::Workspace upsampling;
     };
     /// Samples of some neighbours in one row, plane by plane.
-    void blendRun(const Band& band, const Window& run, BlendType type, Buffers& buffers,
-                  std::span<std::byte> samples, TexelCensus& census);
+    void bakeRun(const Band& band, const Window& run, SampleType type, Buffers& buffers,
+                 std::span<std::byte> samples, ColorCensus& census);
     TexelRow unroundedRow(const Band& band, int row);
-    BlendType blendType() const;
 
-    Job& job_;
-    SpectrumLookup& lookup_;
-    SpectralWriter& writer_;
-    StorageOptions storage_;
+    const TexelSource& source_;
+    const Upsampler& upsampler_;
+    SpectralSink& sink_;
     int bits_;
+    SampleSelection channels_ = SampleSelection::channels();
     std::vector<std::byte> readAhead_;  ///< of the texture
     Pyramid pyramid_;
     LevelTiles levelTiles_;
-    TexelCensus census_;
+    ColorCensus census_;
     tbb::enumerable_thread_specific<Buffers> buffers_;
     /// Memory of chunks that are written, for those to come: fresh pages cost more than a copy.
     tbb::concurrent_queue<std::vector<std::byte>> spare_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

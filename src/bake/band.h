@@ -1,12 +1,13 @@
 #pragma once
 
 #include "mip/box_filter.h"
-#include "upsample/texel_census.h"
+
+#include <specbake/core/color_census.h>
 
 #include <cstddef>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// A run of rows on its way through the pipeline: whole rows of chunks of the file.
 struct Band {
@@ -17,7 +18,7 @@ struct Band {
     std::vector<std::byte> stored;               ///< as the texture holds them
     std::vector<std::vector<std::byte>> packed;  ///< chunk by chunk, as the file will
     std::vector<TexelRow> smaller;               ///< rows of the level below, if there is one
-    TexelCensus census;
+    ColorCensus census;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <cstring>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// On a half's bits as an integer: a carry out of the mantissa raises the exponent, as it should.
 void roundMantissa(std::span<std::byte> halves, int bits) {
-    const int dropped = kHalfMantissaBits - bits;
+    const int dropped = BakeOptions::kMostMantissaBits - bits;
     if (dropped <= 0) return;
     const unsigned belowHalf = (1U << (dropped - 1)) - 1;
     const unsigned kept = ~((1U << dropped) - 1);
@@ -20,4 +20,4 @@ void roundMantissa(std::span<std::byte> halves, int bits) {
     }
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -2,12 +2,11 @@
 
 #include <specbake/core/error.h>
 
-#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
-namespace specbake {
+namespace specbake::internal {
 
 int threadCount(int threads) {
     return threads > 0 ? threads : tbb::info::default_concurrency();
@@ -15,8 +14,6 @@ int threadCount(int threads) {
 
 void runPipeline(int count, const Stages& stages, int threads, const std::stop_token& stop) {
     const int workers = threadCount(threads);
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    std::size_t(workers));
     int next = 0;
     const auto read = [&](tbb::flow_control& flow) {
         if (stop.stop_requested()) throw Cancelled();
@@ -41,4 +38,4 @@ void runPipeline(int count, const Stages& stages, int threads, const std::stop_t
     });
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

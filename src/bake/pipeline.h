@@ -3,7 +3,7 @@
 #include <functional>
 #include <stop_token>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// What happens to a band of rows, told by its number: `read` and `write` to one at a time and in
 /// order, `process` to several at once.
@@ -20,4 +20,4 @@ void runPipeline(int count, const Stages& stages, int threads, const std::stop_t
 /// How many threads `threads` means here.
 int threadCount(int threads);
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -12,6 +12,9 @@
 #include <vector>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
 /// What each band gives to linear Rec.709 R, G, B at reflectance 1: the weights w_m of (1) under
@@ -37,9 +40,7 @@ class Relighting {
   public:
     Relighting(const std::string& spectral, const std::filesystem::path& picture,
                const RelightOptions& options)
-        : colors_(bandColors(options)),
-          reader_(spectral, threadCount(options.threads)),
-          writer_(picture, reader_.header()) {}
+        : colors_(bandColors(options)), reader_(spectral), writer_(picture, reader_.header()) {}
 
     void run(const RelightOptions& options) {
         bands_.resize(std::size_t((height() + kRows - 1) / kRows));

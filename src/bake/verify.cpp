@@ -3,9 +3,10 @@
 #include <specbake/bake/verify.h>
 #include <specbake/core/ciede2000.h>
 #include <specbake/core/error.h>
-#include <specbake/core/observer.h>
-#include <specbake/core/outside.h>
+#include <specbake/core/upsampler.h>
+#include <specbake/core/vector.h>
 #include <specbake/image/spectral_reader.h>
+#include <specbake/image/texel_decoder.h>
 #include <specbake/image/texture_reader.h>
 
 #include <algorithm>
@@ -15,6 +16,9 @@
 #include <vector>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
 /// How many differences fall where, so that a percentile needs no list of all texels.
@@ -40,10 +44,6 @@ class Histogram {
     std::vector<std::atomic<std::size_t>> count_ = std::vector<std::atomic<std::size_t>>(kBins);
 };
 
-double largestComponent(const Imath::V3d& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 /// Rows of both files on their way through the pipeline, and what was found in them.
 struct Rows {
     std::vector<float> samples;
@@ -57,16 +57,10 @@ class Comparison {
   public:
     Comparison(const std::string& spectral, const std::string& texture,
                const VerifyOptions& options)
-        : spectral_(spectral, threadCount(options.threads)),
-          texture_(texture, threadCount(options.threads)),
-          space_(spaceOf(options)),
-          observer_(options.illuminant.value_or(
-              spectral_.text("specbake:illuminant").value_or(space_.illuminant))),
-          solid_(observer_),
-          outside_(outsideFromName(spectral_.text("specbake:outside").value_or(""))
-                       .value_or(Outside::nearest)),
-          xyzFromTexel_(xyzFromRGB(space_, observer_.white())),
-          decoder_(texture_.info(), space_) {
+        : spectral_(spectral),
+          texture_(texture),
+          upsampler_(spaceOf(options), modelOf(options)),
+          decoder_(texture_.info(), upsampler_.space()) {
         if (spectral_.header().data.width != width() ||
             spectral_.header().data.height != height()) {
             throw FileError(spectral, "not of the size of " + texture);
@@ -99,6 +93,16 @@ class Comparison {
         return *space;
     }
 
+    /// The file's rule for colours outside, under its light. No colour is solved.
+    UpsamplerOptions modelOf(const VerifyOptions& options) const {
+        UpsamplerOptions model;
+        model.illuminant =
+            options.illuminant ? options.illuminant : spectral_.text("specbake:illuminant");
+        const auto rule = spectral_.text("specbake:outside");
+        if (rule) model.outside = outsideFromName(*rule).value_or(model.outside);
+        return model;
+    }
+
     void read(int i) {
         Rows& rows = rows_[std::size_t(i)];
         rows.samples.resize(std::size_t(rowCount(i)) * std::size_t(width()) * kBandCount);
@@ -115,7 +119,7 @@ class Comparison {
         decoder_.decode(rows.texture, texels, colors.data(), alpha.data());
         for (std::size_t t = 0; t < texels; ++t) {
             const RGB rgb{double(colors[t][0]), double(colors[t][1]), double(colors[t][2])};
-            compareTexel(rows, t, XYZ(rgb * xyzFromTexel_));
+            compareTexel(rows, t, upsampler_.xyz(rgb));
         }
         rows.samples = {};
         rows.texture = {};
@@ -124,7 +128,7 @@ class Comparison {
     /// Beside the colour that the file had to give: that of the texel, or what the file's rule
     /// for colours outside the solid makes of it.
     void compareTexel(Rows& rows, std::size_t t, const XYZ& texel) {
-        const Attainable target = attainable(solid_, texel, outside_);
+        const Attainable target = upsampler_.attainable(texel);
         const XYZ& asked = target.color;
         if (target.outside) ++rows.found.outsideSolid;
         Spectrum s;
@@ -133,9 +137,10 @@ class Comparison {
             if (!(sample >= 0 && sample <= 1)) ++rows.found.outOfRange;
             s[m] = double(sample);
         }
-        const XYZ given = observer_.color(s);
+        const Observer& observer = upsampler_.observer();
+        const XYZ given = observer.color(s);
         const double difference =
-            ciede2000(labFromXYZ(asked, observer_.white()), labFromXYZ(given, observer_.white()));
+            ciede2000(labFromXYZ(asked, observer.white()), labFromXYZ(given, observer.white()));
         ++rows.found.texels;
         rows.sumDE2000 += difference;
         histogram_.add(difference);
@@ -166,11 +171,7 @@ class Comparison {
 
     SpectralReader spectral_;
     TextureReader texture_;
-    ColorSpace space_;
-    Observer observer_;
-    Solid solid_;
-    Outside outside_;
-    Imath::M33d xyzFromTexel_;
+    Upsampler upsampler_;
     TexelDecoder decoder_;
     std::vector<Rows> rows_;
     Histogram histogram_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 using namespace specbake;
+using namespace specbake::internal;
 
 namespace {
 
@@ -31,7 +32,7 @@ double expected(double value, int bits) {
 }  // namespace
 
 TEST_CASE("every half in [0, 1], to any number of bits, is rounded as defined") {
-    for (int bits = 1; bits <= kHalfMantissaBits; ++bits) {
+    for (int bits = 1; bits <= BakeOptions::kMostMantissaBits; ++bits) {
         CAPTURE(bits);
         Imath::half value;
         for (unsigned code = 0; code <= 0x3c00; ++code) {

@@ -5,6 +5,9 @@
 #include <doctest/doctest.h>
 
 namespace specbake::testing {
+
+using namespace internal;
+
 namespace {
 
 std::string listed(const Attributes& attributes) {
@@ -34,7 +37,7 @@ std::vector<std::byte> allOf(ImageFile& file) {
 }
 
 void checkSameAsOpenImageIO(ImageFile& file, const std::string& path) {
-    const auto oracle = openWithOpenImageIO(path, 1);
+    const auto oracle = openWithOpenImageIO(path);
     const ImageDescription& ours = file.description();
     const ImageDescription& theirs = oracle->description();
     CHECK(ours.data == theirs.data);

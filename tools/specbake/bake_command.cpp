@@ -2,7 +2,7 @@
 #include "commands.h"
 #include "progress_bar.h"
 #include "stop_signals.h"
-#include "upsample/grid.h"
+#include "thread_pool.h"
 
 #include <specbake/bake/bake.h>
 #include <specbake/core/error.h>
@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -27,61 +26,27 @@ struct Arguments {
     std::string input;
     std::string output;
     std::string space = "auto";
-    std::string illuminant = "auto";
-    std::string sampleType = "half";
-    std::string compression = "zip";
-    std::string method = "smooth";
-    std::string outside = "nearest";
+    ModelArguments model;
+    int grid = kDefaultGridNodes;
     bool perTexel = false;
-    int grid = 17;
-    int bits = 10;
-    std::optional<double> maxDeviation;
-    std::optional<double> maxDE;
+    std::string sampleType{sampleTypeName(StorageOptions().sampleType)};
+    std::string compression{compressionName(StorageOptions().compression)};
     std::vector<int> tile;  ///< none, or width and height
-    bool mipmap = false;
-    int threads = 0;
+    BakeOptions options;    ///< all else
     std::string statsFile;
     bool update = false;
     bool verbose = false;
     bool quiet = false;
 };
 
-/// "zip", "zip:6", "none", …
-void parseCompression(const std::string& text, StorageOptions& storage) {
-    const std::map<std::string, Compression> kinds = {{"none", Compression::none},
-                                                      {"zip", Compression::zip},
-                                                      {"zips", Compression::zips},
-                                                      {"piz", Compression::piz}};
-    const auto colon = text.find(':');
-    const auto kind = kinds.find(text.substr(0, colon));
-    if (kind == kinds.end())
-        throw ArgumentError("--compression: none, zip[:LEVEL], zips[:LEVEL] or piz, not " + text);
-    storage.compression = kind->second;
-    if (colon == std::string::npos) return;
-    const char* end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data() + colon + 1, end, storage.level);
-    const bool levels = kind->first.starts_with("zip");
-    if (!levels || parsed.ec != std::errc() || parsed.ptr != end) {
-        throw ArgumentError("--compression: " + text + " has no such level");
-    }
-}
-
 BakeOptions optionsOf(const Arguments& a, const std::stop_token& stop, ProgressBar& bar) {
-    BakeOptions options;
+    BakeOptions options = a.options;
     options.space = unlessAuto(a.space);
-    options.illuminant = unlessAuto(a.illuminant);
-    options.method = methodChoices().at(a.method);
-    options.outside = outsideChoices().at(a.outside);
-    options.grid = a.grid;
-    options.perTexel = a.perTexel;
-    options.bits = a.bits;
-    options.maxDeviation = a.maxDeviation;
-    options.maxDE = a.maxDE;
-    options.threads = a.threads;
-    options.storage.sampleType = a.sampleType == "half" ? SampleType::half : SampleType::float32;
+    options.model = a.model.options();
+    options.model.grid = a.perTexel ? std::nullopt : std::optional(a.grid);
+    options.storage.sampleType = parseSampleType(a.sampleType);
     parseCompression(a.compression, options.storage);
     if (!a.tile.empty()) options.storage.tile = TileSize{a.tile.at(0), a.tile.at(1)};
-    options.storage.mipmap = a.mipmap;
     options.stop = stop;
     options.progress = [&bar](double done) { bar.show(done); };
     return options;
@@ -133,7 +98,7 @@ void report(const BakeStatistics& s, const Arguments& a) {
         std::fprintf(stderr,
                      "specbake: %s: %zu texels have a colour that no reflectance has; they were "
                      "moved by up to CIEDE2000 %.2f (--outside %s)\n",
-                     a.input.c_str(), s.outsideTexels, s.largestMove, a.outside.c_str());
+                     a.input.c_str(), s.outsideTexels, s.largestMove, a.model.outside.c_str());
     }
     if (a.verbose) {
         std::printf(
@@ -162,6 +127,7 @@ ExitCode bakeCommand(const Arguments& a) {
         if (a.verbose) std::printf("%s is up to date\n", a.output.c_str());
         return kDone;
     }
+    const ThreadPool pool(a.options.threads);
     StopSignals signals;
     try {
         ProgressBar bar("baking " + fs::path(a.input).filename().string(), !a.quiet);
@@ -185,46 +151,31 @@ Command addBake(CLI::App& program) {
     command->add_option("--space", a->space, "colour space of the texture")
         ->check(CLI::IsMember(spaceChoices()))
         ->capture_default_str();
-    command
-        ->add_option("--illuminant", a->illuminant,
-                     "light under which the colours hold; auto: the space's white, E for xyz")
-        ->check(CLI::IsMember(illuminantChoices()))
-        ->capture_default_str();
-    command
-        ->add_option("--method", a->method,
-                     "smooth: the smoothest spectrum; descent: steepest descent in the box")
-        ->check(CLI::IsMember(methodChoices()))
-        ->capture_default_str();
-    command
-        ->add_option("--outside", a->outside,
-                     "colours that no reflectance has: the nearest one, the same chromaticity "
-                     "darker, or an error")
-        ->check(CLI::IsMember(outsideChoices()))
-        ->capture_default_str();
+    addModelOptions(*command, a->model, "the space's white, E for xyz");
     command->add_flag("--per-texel", a->perTexel,
                       "solve every distinct colour by itself, without the grid");
     command->add_option("--grid", a->grid, "nodes of the lookup grid along each axis")
-        ->check(CLI::Range(GridAxis::kFewestNodes, GridAxis::kMostNodes))
+        ->check(CLI::Range(kFewestGridNodes, kMostGridNodes))
         ->capture_default_str();
     command
         ->add_option(
-            "--max-deviation", a->maxDeviation,
+            "--max-deviation", a->options.maxDeviation,
             "instead of --grid: the coarsest grid whose spectra deviate by no more (RMS) from the "
             "directly solved ones, on this texture's colours; the default grid is for about 0.001")
         ->check(CLI::PositiveNumber)
         ->excludes("--per-texel");
     command
-        ->add_option("--bits", a->bits,
+        ->add_option("--bits", a->options.bits,
                      "bits of mantissa that half samples keep: fewer make smaller files")
-        ->check(CLI::Range(4, 10))
+        ->check(CLI::Range(BakeOptions::kFewestMantissaBits, BakeOptions::kMostMantissaBits))
         ->capture_default_str();
     command
         ->add_option(
-            "--max-de", a->maxDE,
+            "--max-de", a->options.maxDE,
             "instead of --bits: the fewest bits that keep every texel within this CIEDE2000")
         ->check(CLI::PositiveNumber);
     command->add_option("-d,--data-type", a->sampleType, "samples of the spectral image")
-        ->check(CLI::IsMember({"half", "float"}))
+        ->check(CLI::IsMember(sampleTypeNames()))
         ->capture_default_str();
     command
         ->add_option("--compression", a->compression,
@@ -234,11 +185,9 @@ Command addBake(CLI::App& program) {
         ->expected(2)
         ->check(CLI::Range(1, TileSize::kLargestSide))
         ->type_name("W H");
-    command->add_flag("--mipmap", a->mipmap,
+    command->add_flag("--mipmap", a->options.storage.mipmap,
                       "store all mip levels, averages of spectra; tiles of 64 x 64 unless --tile");
-    command->add_option("-j,--threads", a->threads, "threads, 0 for all cores")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
+    addThreads(*command, a->options.threads);
     command->add_option("--stats", a->statsFile, "write what was done to this JSON file");
     command->add_flag("-u,--update", a->update, "do nothing if the output is newer than the input");
     command->add_flag("-v,--verbose", a->verbose, "say what was done");

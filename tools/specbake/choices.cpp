@@ -1,18 +1,57 @@
 #include "choices.h"
 
+#include <specbake/core/error.h>
+#include <specbake/core/methods.h>
 #include <specbake/core/observer.h>
 
-namespace specbake::tool {
+#include <algorithm>
+#include <charconv>
 
-std::vector<std::string> spaceChoices() {
-    std::vector<std::string> names = {"auto"};
-    for (const ColorSpace& space : colorSpaces()) names.push_back(space.name);
-    return names;
-}
+namespace specbake::tool {
+namespace {
 
 std::vector<std::string> illuminantChoices() {
     std::vector<std::string> names = illuminantNames();
     names.insert(names.begin(), "auto");
+    return names;
+}
+
+std::vector<std::string> methodNames() {
+    std::vector<std::string> names;
+    for (const Method& method : methods()) names.emplace_back(method.name);
+    return names;
+}
+
+std::vector<std::string> outsideNames() {
+    std::vector<std::string> names;
+    for (const Outside rule : outsideRules()) names.emplace_back(outsideName(rule));
+    return names;
+}
+
+/// "smooth: the smoothest spectrum; …"
+std::string methodSummaries() {
+    std::string text;
+    for (const Method& method : methods()) {
+        text += (text.empty() ? "" : "; ") + std::string(method.name) + ": ";
+        text += method.summary;
+    }
+    return text;
+}
+
+std::string compressionWords() {
+    std::string words;
+    for (const Compression compression : compressions()) {
+        const std::string name(compressionName(compression));
+        words += (words.empty() ? "" : ", ") + name + (name.starts_with("zip") ? "[:LEVEL]" : "");
+    }
+    return words;
+}
+
+}  // namespace
+
+std::vector<std::string> spaceChoices() {
+    std::vector<std::string> names = {"auto"};
+    for (const ColorSpace& space : colorSpaces()) names.push_back(space.name);
     return names;
 }
 
@@ -21,16 +60,66 @@ std::optional<std::string> unlessAuto(const std::string& name) {
     return name;
 }
 
-const std::map<std::string, Method>& methodChoices() {
-    static const std::map<std::string, Method> choices = {{"smooth", Method::smooth},
-                                                          {"descent", Method::descent}};
-    return choices;
+UpsamplerOptions ModelArguments::options() const {
+    UpsamplerOptions options;
+    options.illuminant = unlessAuto(illuminant);
+    options.method = method;
+    options.outside = outsideFromName(outside).value();
+    return options;
 }
 
-const std::map<std::string, Outside>& outsideChoices() {
-    static const std::map<std::string, Outside> choices = {
-        {"nearest", Outside::nearest}, {"scale", Outside::scale}, {"error", Outside::error}};
-    return choices;
+void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::string& white) {
+    command
+        .add_option("--illuminant", arguments.illuminant,
+                    "light under which the colours hold; auto: " + white)
+        ->check(CLI::IsMember(illuminantChoices()))
+        ->capture_default_str();
+    command.add_option("--method", arguments.method, methodSummaries())
+        ->check(CLI::IsMember(methodNames()))
+        ->capture_default_str();
+    command
+        .add_option("--outside", arguments.outside,
+                    "colours that no reflectance has: the nearest one, the same chromaticity "
+                    "darker, or an error")
+        ->check(CLI::IsMember(outsideNames()))
+        ->capture_default_str();
+}
+
+void parseCompression(const std::string& text, StorageOptions& storage) {
+    const auto colon = text.find(':');
+    const std::string name = text.substr(0, colon);
+    const auto kinds = compressions();
+    const auto kind = std::find_if(kinds.begin(), kinds.end(),
+                                   [&](Compression c) { return compressionName(c) == name; });
+    if (kind == kinds.end()) {
+        throw ArgumentError("--compression: " + compressionWords() + ", not " + text);
+    }
+    storage.compression = *kind;
+    if (colon == std::string::npos) return;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data() + colon + 1, end, storage.level);
+    if (!name.starts_with("zip") || parsed.ec != std::errc() || parsed.ptr != end) {
+        throw ArgumentError("--compression: " + text + " has no such level");
+    }
+}
+
+SampleType parseSampleType(const std::string& name) {
+    for (const SampleType type : kSampleTypes) {
+        if (name == sampleTypeName(type)) return type;
+    }
+    throw ArgumentError("no type of samples: " + name);
+}
+
+std::vector<std::string> sampleTypeNames() {
+    std::vector<std::string> names;
+    for (const SampleType type : kSampleTypes) names.emplace_back(sampleTypeName(type));
+    return names;
+}
+
+void addThreads(CLI::App& command, int& threads) {
+    command.add_option("-j,--threads", threads, "threads, 0 for all cores")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
 }
 
 }  // namespace specbake::tool

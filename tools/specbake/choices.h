@@ -1,23 +1,44 @@
 #pragma once
 
-#include <specbake/bake/bake.h>
+#include <specbake/core/upsampler_options.h>
+#include <specbake/image/spectral_layout.h>
 
-#include <map>
+#include <CLI/CLI.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
 
-/// What options offer, the same in every command.
+/// Options that several commands offer, alike in each, with the defaults of the library.
 namespace specbake::tool {
 
-/// The names that `--space` and `--illuminant` take, "auto" first.
+/// The names that `--space` takes, "auto" first.
 std::vector<std::string> spaceChoices();
-std::vector<std::string> illuminantChoices();
 
 /// Nothing for "auto".
 std::optional<std::string> unlessAuto(const std::string& name);
 
-const std::map<std::string, Method>& methodChoices();
-const std::map<std::string, Outside>& outsideChoices();
+/// How colours become spectra, as words of the command line.
+struct ModelArguments {
+    std::string illuminant = "auto";
+    std::string method = UpsamplerOptions().method;
+    std::string outside{outsideName(UpsamplerOptions().outside)};
+
+    /// The options with all else as it is by default.
+    UpsamplerOptions options() const;
+};
+
+/// `--illuminant`, `--method`, `--outside`. `white`: what "auto" means for the light.
+void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::string& white);
+
+/// "zip", "zip:6", "none" and so on into `storage`. Throws ArgumentError.
+void parseCompression(const std::string& text, StorageOptions& storage);
+
+/// Throws ArgumentError.
+SampleType parseSampleType(const std::string& name);
+std::vector<std::string> sampleTypeNames();
+
+/// `-j,--threads`
+void addThreads(CLI::App& command, int& threads);
 
 }  // namespace specbake::tool

@@ -1,6 +1,7 @@
 #include "commands.h"
 
 #include <specbake/core/error.h>
+#include <specbake/version.h>
 
 #include <CLI/CLI.hpp>
 
@@ -16,7 +17,7 @@ namespace {
 
 int run(int argc, char** argv) {
     CLI::App program("specbake: XYZ and RGB textures to spectral textures", "specbake");
-    program.set_version_flag("--version", "specbake " SPECBAKE_VERSION);
+    program.set_version_flag("--version", std::string("specbake ") + kVersion);
     program.require_subcommand(1);
     program.failure_message([](const CLI::App*, const CLI::Error& error) {
         return std::string("specbake: ") + error.what() + " (--help tells more)\n";

@@ -1,6 +1,8 @@
+#include "choices.h"
 #include "commands.h"
 #include "progress_bar.h"
 #include "stop_signals.h"
+#include "thread_pool.h"
 
 #include <specbake/bake/relight.h>
 #include <specbake/core/error.h>
@@ -29,6 +31,7 @@ ExitCode relightCommand(const Arguments& a) {
     if (fs::equivalent(a.spectral, a.picture, missing)) {
         throw ArgumentError(a.picture + ": the output is the input");
     }
+    const ThreadPool pool(a.options.threads);
     StopSignals signals;
     try {
         ProgressBar bar("relighting " + fs::path(a.spectral).filename().string(), !a.quiet);
@@ -63,9 +66,7 @@ Command addRelight(CLI::App& program) {
     command->add_option("--exposure", a->options.exposure, "stops, to darken or brighten")
         ->check(CLI::Range(-32.0, 32.0))
         ->capture_default_str();
-    command->add_option("-j,--threads", a->options.threads, "threads, 0 for all cores")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
+    addThreads(*command, a->options.threads);
     command->add_flag("-q,--quiet", a->quiet, "no progress bar");
     return [a] { return relightCommand(*a); };
 }

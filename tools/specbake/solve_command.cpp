@@ -1,11 +1,13 @@
 #include "choices.h"
 #include "commands.h"
 
-#include <specbake/bake/solve_color.h>
+#include <specbake/core/error.h>
+#include <specbake/core/upsampler.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -17,22 +19,25 @@ struct Arguments {
     std::vector<double> xyz;
     std::vector<double> rgb;
     std::string space = "auto";
-    std::string illuminant = "auto";
-    std::string method = "smooth";
-    std::string outside = "nearest";
+    ModelArguments model;
     bool json = false;
 };
 
-ColorRequest requestOf(const Arguments& a) {
-    ColorRequest request;
+const ColorSpace& spaceOf(const Arguments& a) {
+    const std::string byDefault = a.xyz.empty() ? "lin_rec709" : "xyz";
+    return *findColorSpace(a.space == "auto" ? byDefault : a.space);
+}
+
+/// The colour as a texel of a texture in that space would have it.
+ColorAnswer solve(const Arguments& a, const Upsampler& upsampler) {
     const std::vector<double>& color = a.xyz.empty() ? a.rgb : a.xyz;
-    std::copy(color.begin(), color.end(), request.color.begin());
-    if (!a.xyz.empty()) request.space = "xyz";
-    if (a.space != "auto") request.space = a.space;
-    request.illuminant = unlessAuto(a.illuminant);
-    request.method = methodChoices().at(a.method);
-    request.outside = outsideChoices().at(a.outside);
-    return request;
+    RGB linear;
+    for (int i = 0; i < 3; ++i) {
+        const double value = color[std::size_t(i)];
+        if (!std::isfinite(value)) throw ArgumentError("a colour of finite numbers is wanted");
+        linear[i] = linearFrom(value, upsampler.space().transfer);
+    }
+    return upsampler.solve(upsampler.xyz(linear));
 }
 
 const char* statusName(SolveReport::Status status) {
@@ -47,11 +52,11 @@ const char* statusName(SolveReport::Status status) {
     return "failed";
 }
 
-void printJson(const ColorAnswer& answer) {
+void printJson(const ColorAnswer& answer, const std::string& illuminant) {
     const SolveReport& r = answer.solution.report;
     const nlohmann::ordered_json json = {
         {"status", statusName(r.status)},
-        {"illuminant", answer.illuminant},
+        {"illuminant", illuminant},
         {"asked_xyz", {answer.asked.x, answer.asked.y, answer.asked.z}},
         {"given_xyz", {answer.given.x, answer.given.y, answer.given.z}},
         {"gauge", answer.gauge},
@@ -69,14 +74,14 @@ void printJson(const ColorAnswer& answer) {
     std::cout << json.dump(2) << '\n';
 }
 
-void printText(const ColorAnswer& answer) {
+void printText(const ColorAnswer& answer, const std::string& illuminant) {
     std::printf("nm,reflectance\n");
     for (int band = 0; band < kBandCount; ++band) {
         std::printf("%d,%.17g\n", wavelength(band), answer.solution.spectrum[std::size_t(band)]);
     }
     const SolveReport& r = answer.solution.report;
     std::fprintf(stderr, "%s under %s: XYZ %.6g %.6g %.6g, gauge %.9g, residual %.1e, ",
-                 statusName(r.status), answer.illuminant.c_str(), answer.asked.x, answer.asked.y,
+                 statusName(r.status), illuminant.c_str(), answer.asked.x, answer.asked.y,
                  answer.asked.z, answer.gauge, r.residual);
     std::fprintf(stderr, "%d iterations, %d starts, %d hits\n", r.iterations, r.starts, r.hits);
     if (r.fellBack) std::fprintf(stderr, "the method failed; the smooth one solved the colour\n");
@@ -87,7 +92,8 @@ void printText(const ColorAnswer& answer) {
 }
 
 ExitCode solveCommand(const Arguments& a) {
-    const ColorAnswer answer = solveColor(requestOf(a));
+    const Upsampler upsampler(spaceOf(a), a.model.options());
+    const ColorAnswer answer = solve(a, upsampler);
     if (!answer.solution.solved()) {
         std::fprintf(stderr, "specbake: no spectrum: %s, gauge %.9g\n",
                      answer.outside ? "the colour is outside the object-colour solid"
@@ -95,7 +101,8 @@ ExitCode solveCommand(const Arguments& a) {
                      answer.gauge);
         return kFailed;
     }
-    a.json ? printJson(answer) : printText(answer);
+    const std::string& illuminant = upsampler.observer().illuminant();
+    a.json ? printJson(answer, illuminant) : printText(answer, illuminant);
     return kDone;
 }
 
@@ -111,17 +118,7 @@ Command addSolve(CLI::App& program) {
     command->add_option("--space", a->space, "what --rgb is in; auto: lin_rec709")
         ->check(CLI::IsMember(spaceChoices()))
         ->capture_default_str();
-    command
-        ->add_option("--illuminant", a->illuminant,
-                     "light under which the colour holds; auto: the space's white, E for --xyz")
-        ->check(CLI::IsMember(illuminantChoices()))
-        ->capture_default_str();
-    command->add_option("--method", a->method, "how the spectrum is found")
-        ->check(CLI::IsMember(methodChoices()))
-        ->capture_default_str();
-    command->add_option("--outside", a->outside, "what becomes of a colour that no reflectance has")
-        ->check(CLI::IsMember(outsideChoices()))
-        ->capture_default_str();
+    addModelOptions(*command, a->model, "the space's white, E for --xyz");
     command->add_flag("--json", a->json, "spectrum and report as JSON");
     return [a] { return solveCommand(*a); };
 }

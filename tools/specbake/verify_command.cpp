@@ -1,4 +1,6 @@
+#include "choices.h"
 #include "commands.h"
+#include "thread_pool.h"
 
 #include <specbake/bake/verify.h>
 
@@ -41,6 +43,7 @@ void printText(const Verification& v) {
 }
 
 ExitCode verifyCommand(const Arguments& a) {
+    const ThreadPool pool(a.options.threads);
     const Verification v = verify(a.spectral, a.texture, a.options);
     if (a.json) {
         printJson(v);
@@ -65,8 +68,7 @@ Command addVerify(CLI::App& program) {
                         "colour space of the texture, if the file names none");
     command->add_option("--illuminant", a->options.illuminant,
                         "illuminant, if the file names none");
-    command->add_option("-j,--threads", a->options.threads, "threads, 0 for all cores")
-        ->check(CLI::Range(0, 1024));
+    addThreads(*command, a->options.threads);
     command->add_flag("--json", a->json, "print the figures as JSON");
     command->add_flag("-q,--quiet", a->quiet, "print nothing: the exit code tells");
     return [a] { return verifyCommand(*a); };

@@ -6,10 +6,11 @@
 #include "sets.h"
 #include "statistics.h"
 #include "tasks.h"
-#include "upsample/lookup.h"
 
 #include <specbake/core/error.h>
 #include <specbake/core/shell.h>
+#include <specbake/core/upsampler.h>
+#include <specbake/core/vector.h>
 
 #include <fmt/core.h>
 
@@ -125,32 +126,14 @@ std::vector<ColorSet> setsOf(const Observer& observer, const Solid& solid, std::
     return sets;
 }
 
-/// What a bake gives a linear texel: the grid, and its ways around the grid.
-class BakedTexel {
-  public:
-    BakedTexel(const Frame& frame, const ShellSolver& solver)
-        : resolver_(solver.solid(), solver, Outside::nearest),
-          lookup_(17, {frame.xyzFromRGB, frame.xyzFromRGB}, resolver_) {}
-
-    Spectrum at(const RGB& rgb) {
-        SpectrumLookup::Scratch scratch;
-        TexelCensus census;
-        Mix mix;
-        const SpectrumLookup::Color color = {float(rgb.x), float(rgb.y), float(rgb.z)};
-        lookup_.locate({&color, 1}, 0, {&mix, 1}, scratch, census);
-        Spectrum spectrum{};
-        for (std::size_t m = 0; m < kBandCount; ++m) {
-            for (std::size_t k = 0; k < 4; ++k) {
-                spectrum[m] += double(mix.weights[k]) * double(mix.values[k][kPreviewValues + m]);
-            }
-        }
-        return spectrum;
-    }
-
-  private:
-    ColorResolver resolver_;
-    SpectrumLookup lookup_;
-};
+/// What a bake gives a linear texel.
+Spectrum bakedSpectrum(const Upsampler& upsampler, const RGB& rgb) {
+    const Upsampler::Color color = {float(rgb.x), float(rgb.y), float(rgb.z)};
+    const std::vector<float> bands = upsampler.sample({&color, 1}, SampleSelection::bands());
+    Spectrum spectrum;
+    std::ranges::copy(bands, spectrum.begin());
+    return spectrum;
+}
 
 void addOutcome(Figures& figures, const char* illuminant, const ColorSet& set,
                 const Outcome& outcome) {
@@ -215,11 +198,11 @@ std::array<PairSet, 3> pairSets(std::size_t count) {
 void addContinuity(Figures& figures, std::size_t count) {
     const Frame frame = sRGBFrame();
     const ShellSolver solver(frame.observer);
-    BakedTexel baked(frame, solver);
+    const Upsampler upsampler(frame.space);
     const auto directly = [&](const RGB& rgb) { return solver.solve(frame.xyz(rgb)).spectrum; };
-    const auto throughGrid = [&](const RGB& rgb) { return baked.at(rgb); };
+    const auto throughGrid = [&](const RGB& rgb) { return bakedSpectrum(upsampler, rgb); };
     for (const PairSet& set : pairSets(count)) {
-        const auto measure = [&](const char* way, const auto& spectrumOf) {
+        const auto measure = [&](const std::string& way, const auto& spectrumOf) {
             std::vector<double> slopes;
             for (const Pair& pair : set.pairs) {
                 slopes.push_back(maxDifference(spectrumOf(pair.a), spectrumOf(pair.b)) /
@@ -234,7 +217,7 @@ void addContinuity(Figures& figures, std::size_t count) {
                 {set.name, method, "slope max", largest(slopes), "reflectance per RGB", {}, ""});
         };
         measure("direct", directly);
-        measure("grid 17", throughGrid);
+        measure("grid " + std::to_string(kDefaultGridNodes), throughGrid);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <specbake/core/ciede2000.h>
 #include <specbake/core/error.h>
+#include <specbake/core/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,10 +75,6 @@ class Racetrack {
 };
 
 }  // namespace
-
-double largestComponent(const Imath::V3d& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 Verdict judge(const Method& method, const XYZ& color, const Reconstruction& result) {
     const Observer& observer = method.frame().observer;

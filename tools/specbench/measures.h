@@ -12,9 +12,6 @@
 
 namespace specbake::bench {
 
-/// max |v_i|
-double largestComponent(const Imath::V3d& v);
-
 /// A method failed on a colour where it says so itself, where the colour is visibly missed, or
 /// where a sample leaves [0, 1] by more than a thousandth.
 inline constexpr double kVisible = 1;  // CIEDE2000

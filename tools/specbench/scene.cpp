@@ -68,7 +68,7 @@ Spectrum storedAsHalves(const Spectrum& spectrum, int bits) {
     std::array<Imath::half, kBandCount> halves;
     std::ranges::transform(spectrum, halves.begin(),
                            [](double v) { return Imath::half(float(v)); });
-    roundMantissa(std::as_writable_bytes(std::span(halves)), bits);
+    internal::roundMantissa(std::as_writable_bytes(std::span(halves)), bits);
     Spectrum stored;
     std::ranges::copy(halves, stored.begin());
     return stored;
@@ -93,7 +93,7 @@ class Run {
         progress_.next(grid.name().full());
         const double setUp = secondsOf([&] { grid.setUp(); });
         BakeOptions bakeOptions;
-        bakeOptions.grid = nodes;
+        bakeOptions.model.grid = nodes;
         for (std::size_t i = 0; i < scenes_.size(); ++i) {
             const auto add = adder(scenes_[i], grid.name(), nodes, "nodes per axis");
             add({"all nodes, time", setUp, "s"});
@@ -161,7 +161,8 @@ class Run {
         add({"bake", median(seconds), "s"});
         add({"bake, per texel", 1e6 * median(seconds) / texels, "µs"});
         add({"nodes solved", double(statistics.nodesSolved), "1"});
-        add({"nodes, memory", double(statistics.nodesSolved * sizeof(NodeValues)), "byte"});
+        add({"nodes, memory", double(statistics.nodesSolved * sizeof(internal::NodeValues)),
+             "byte"});
         add({"file", double(std::filesystem::file_size(file)) / texels, "byte per texel"});
         std::filesystem::remove(file);
     }
@@ -180,10 +181,13 @@ class Run {
 
 void runScene(const Options& options) {
     std::filesystem::create_directories(options.out);
-    Progress progress("scene", std::size(kGrids) + kHalfMantissaBits - kFewestMantissaBits + 1);
+    Progress progress("scene", std::size(kGrids) + BakeOptions::kMostMantissaBits -
+                                   BakeOptions::kFewestMantissaBits + 1);
     Run run(options, progress);
     for (const int nodes : kGrids) run.measureGrid(nodes);
-    for (int bits = kFewestMantissaBits; bits <= kHalfMantissaBits; ++bits) run.measureBits(bits);
+    for (int bits = BakeOptions::kFewestMantissaBits; bits <= BakeOptions::kMostMantissaBits;
+         ++bits)
+        run.measureBits(bits);
     run.write();
 }
 

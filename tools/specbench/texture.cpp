@@ -3,23 +3,26 @@
 #include "choose/color_survey.h"
 
 #include <specbake/core/error.h>
+#include <specbake/image/texture_reader.h>
 
 #include <algorithm>
 
 namespace specbake::bench {
 
 std::vector<RGB> distinctColors(const std::string& texture, std::size_t count) {
-    const TextureInfo info = TextureReader(texture).info();
+    TextureReader reader(texture);
+    const TextureInfo& info = reader.info();
     const std::string& space = info.automaticSpace.name;
     if (space != "srgb" && space != "lin_rec709") {
         throw FileError(texture,
                         "specbench takes textures of sRGB or linear Rec.709, this is " + space);
     }
-    std::vector<TexelColor> colors;
-    const auto append = [&](std::span<const TexelColor> some) {
+    const TexelDecoder decoder(info, info.automaticSpace);
+    std::vector<internal::TexelColor> colors;
+    const auto append = [&](std::span<const internal::TexelColor> some) {
         colors.insert(colors.end(), some.begin(), some.end());
     };
-    surveyColors(texture, TexelDecoder(info, info.automaticSpace), 1, {}, append);
+    internal::surveyColors({reader, decoder, 1, {}}, append);
     std::sort(colors.begin(), colors.end());
     colors.erase(std::unique(colors.begin(), colors.end()), colors.end());
     std::vector<RGB> thinned;

@@ -11,79 +11,78 @@
 #include <mutex>
 #include <string>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
-constexpr std::size_t kRun = 64;  ///< colours looked up at a time
+constexpr int kFewest = BakeOptions::kFewestMantissaBits;
+constexpr int kMost = BakeOptions::kMostMantissaBits;
+
 /// The largest difference by bits of mantissa.
-using Differences = std::array<double, kHalfMantissaBits + 1>;
-/// One run's samples, plane by plane.
-using Planes = std::array<std::array<std::uint16_t, kRun>, kNodeValues>;
+using Differences = std::array<double, kMost + 1>;
+/// One texel's bands.
+using Bands = std::span<const float, kBandCount>;
 
-Lab unroundedColor(const Observer& observer, const Mix& mix) {
-    Spectrum s;
-    for (std::size_t m = 0; m < s.size(); ++m) {
-        s[m] = 0;
-        for (std::size_t k = 0; k < 4; ++k) {
-            s[m] += double(mix.weights[k]) * double(mix.values[k][kPreviewValues + m]);
-        }
-    }
-    return labFromXYZ(observer.color(s), observer.white());
+Lab labOf(const Observer& observer, const Spectrum& spectrum) {
+    return labFromXYZ(observer.color(spectrum), observer.white());
 }
 
-Lab roundedColor(const Observer& observer, const Planes& planes, std::size_t texel, int bits) {
-    Spectrum s;
-    for (std::size_t m = 0; m < s.size(); ++m) {
-        std::uint16_t sample = planes[kPreviewValues + m][texel];
-        roundMantissa(std::as_writable_bytes(std::span(&sample, 1)), bits);
-        Imath::half value;
-        value.setBits(sample);
-        s[m] = double(float(value));
-    }
-    return labFromXYZ(observer.color(s), observer.white());
+Spectrum unrounded(Bands bands) {
+    Spectrum spectrum;
+    std::copy(bands.begin(), bands.end(), spectrum.begin());
+    return spectrum;
 }
 
-void compareRun(const Job& job, SpectrumLookup& lookup, std::span<const TexelColor> colors,
-                Differences& largest) {
-    std::array<Mix, kRun> mixes;
-    SpectrumLookup::Scratch scratch;
-    TexelCensus census;
-    const auto used = std::span(mixes).first(colors.size());
-    lookup.locate(colors, 0, used, scratch, census);
-    Planes planes;
-    blend(used, BlendType::half, reinterpret_cast<std::byte*>(planes.data()), sizeof planes[0]);
+Spectrum rounded(Bands bands, int bits) {
+    std::array<Imath::half, kBandCount> halves;
+    std::copy(bands.begin(), bands.end(), halves.begin());
+    roundMantissa(std::as_writable_bytes(std::span(halves)), bits);
+    Spectrum spectrum;
+    std::copy(halves.begin(), halves.end(), spectrum.begin());
+    return spectrum;
+}
+
+void compare(const Observer& observer, Bands bands, Differences& largest) {
+    const Lab asked = labOf(observer, unrounded(bands));
+    for (int bits = kFewest; bits <= kMost; ++bits) {
+        double& worst = largest[std::size_t(bits)];
+        worst = std::max(worst, ciede2000(asked, labOf(observer, rounded(bands, bits))));
+    }
+}
+
+Differences differencesOf(const Upsampler& upsampler, std::span<const TexelColor> colors) {
+    const SampleSelection wanted = SampleSelection::bands();
+    std::vector<float> samples(colors.size() * kBandCount);
+    const auto target = SampleTarget::interleaved(
+        SampleType::float32, reinterpret_cast<std::byte*>(samples.data()), wanted);
+    Upsampler::Workspace workspace;
+    // What has no spectrum is refused by the bake itself.
+    static_cast<void>(upsampler.sample(colors, wanted, target, workspace));
+    Differences largest{};
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        const Lab asked = unroundedColor(job.observer, mixes[i]);
-        for (int bits = kFewestMantissaBits; bits <= kHalfMantissaBits; ++bits) {
-            const Lab given = roundedColor(job.observer, planes, i, bits);
-            double& worst = largest[std::size_t(bits)];
-            worst = std::max(worst, ciede2000(asked, given));
-        }
+        compare(upsampler.observer(), Bands(samples.data() + i * kBandCount, kBandCount), largest);
     }
+    return largest;
 }
 
 }  // namespace
 
-BitsChoice chooseBits(const Job& job, SpectrumLookup& lookup, double limit) {
+BitsChoice chooseBits(const TexelSource& source, const Upsampler& upsampler, double limit) {
     Differences largest{};
     std::mutex mutex;
     const auto visit = [&](std::span<const TexelColor> colors) {
-        Differences found{};
-        for (std::size_t first = 0; first < colors.size(); first += kRun) {
-            compareRun(job, lookup, colors.subspan(first, std::min(kRun, colors.size() - first)),
-                       found);
-        }
+        const Differences found = differencesOf(upsampler, colors);
         const std::lock_guard lock(mutex);
         for (std::size_t bits = 0; bits < found.size(); ++bits) {
             largest[bits] = std::max(largest[bits], found[bits]);
         }
     };
-    surveyColors(job.path, job.decoder, job.threads, job.stop, visit);
-    for (int bits = kFewestMantissaBits; bits <= kHalfMantissaBits; ++bits) {
+    surveyColors(source, visit);
+    for (int bits = kFewest; bits <= kMost; ++bits) {
         if (largest[std::size_t(bits)] <= limit) return {bits, largest[std::size_t(bits)]};
     }
-    throw FileError(job.path, "half samples differ by up to CIEDE2000 " +
-                                  std::to_string(largest.back()) + "; float samples are needed");
+    throw FileError(source.info().path, "half samples differ by up to CIEDE2000 " +
+                                            std::to_string(largest.back()) +
+                                            "; float samples are needed");
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -1,7 +1,8 @@
 #include "choose/color_survey.h"
 
 #include "pipeline.h"
-#include "upsample/color_hash.h"
+
+#include <specbake/core/color_hash.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,7 @@
 #include <mutex>
 #include <set>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 constexpr int kRows = 16;
@@ -26,17 +27,15 @@ void keepDifferent(std::vector<TexelColor>& colors) {
 
 }  // namespace
 
-void surveyColors(const std::string& texture, const TexelDecoder& decoder, int threads,
-                  const std::stop_token& stop,
+void surveyColors(const TexelSource& source,
                   const std::function<void(std::span<const TexelColor>)>& visit) {
-    TextureReader reader(texture);
-    const TextureInfo& info = reader.info();
+    const TextureInfo& info = source.info();
     const int bands = (info.data.height + kRows - 1) / kRows;
     std::vector<std::vector<std::byte>> stored{std::size_t(bands)};
     const auto read = [&](int band) {
         const int rows = std::min(kRows, info.data.height - band * kRows);
         stored[std::size_t(band)].resize(std::size_t(rows) * info.bytesPerRow());
-        reader.readRows(band * kRows, rows, stored[std::size_t(band)]);
+        source.texture.readRows(band * kRows, rows, stored[std::size_t(band)]);
     };
     const auto process = [&](int band) {
         std::vector<std::byte>& samples = stored[std::size_t(band)];
@@ -44,16 +43,15 @@ void surveyColors(const std::string& texture, const TexelDecoder& decoder, int t
             samples.size() / info.bytesPerRow() * std::size_t(info.data.width);
         std::vector<TexelColor> colors(texels);
         std::vector<float> alpha(texels);
-        decoder.decode(samples, texels, colors.data(), alpha.data());
+        source.decoder.decode(samples, texels, colors.data(), alpha.data());
         samples = {};
         keepDifferent(colors);
         visit(colors);
     };
-    runPipeline(bands, {read, process, [](int) {}}, threads, stop);
+    runPipeline(bands, {read, process, [](int) {}}, source.threads, source.stop);
 }
 
-std::vector<TexelColor> sampleColors(const std::string& texture, const TexelDecoder& decoder,
-                                     std::size_t most, int threads, const std::stop_token& stop) {
+std::vector<TexelColor> sampleColors(const TexelSource& source, std::size_t most) {
     // The colours of smallest hash: whatever the order in which they come.
     std::set<std::pair<std::uint64_t, TexelColor>> smallest;
     std::mutex mutex;
@@ -66,11 +64,11 @@ std::vector<TexelColor> sampleColors(const std::string& texture, const TexelDeco
             if (smallest.size() > most) smallest.erase(std::prev(smallest.end()));
         }
     };
-    surveyColors(texture, decoder, threads, stop, visit);
+    surveyColors(source, visit);
     std::vector<TexelColor> sample;
     for (const auto& [hash, color] : smallest) sample.push_back(color);
     std::sort(sample.begin(), sample.end());
     return sample;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

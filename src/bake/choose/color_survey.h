@@ -1,29 +1,25 @@
 #pragma once
 
-#include <specbake/image/texture_reader.h>
+#include "texel_source.h"
 
 #include <array>
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <stop_token>
-#include <string>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 using TexelColor = std::array<float, 3>;
 
 /// Reads a texture through and hands over its linear colours: every colour that occurs at least
 /// once, most of them not often. Colours that are not finite are left out. `visit` is called by
 /// several threads at once. Throws what the reader throws, and Cancelled.
-void surveyColors(const std::string& texture, const TexelDecoder& decoder, int threads,
-                  const std::stop_token& stop,
+void surveyColors(const TexelSource& source,
                   const std::function<void(std::span<const TexelColor>)>& visit);
 
 /// Up to `most` different colours of a texture, chosen by a hash of their bits: all of them where
 /// there are no more, else a fair sample, the same in every run. Sorted.
-std::vector<TexelColor> sampleColors(const std::string& texture, const TexelDecoder& decoder,
-                                     std::size_t most, int threads, const std::stop_token& stop);
+std::vector<TexelColor> sampleColors(const TexelSource& source, std::size_t most);
 
-}  // namespace specbake
+}  // namespace specbake::internal

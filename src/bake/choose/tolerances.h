@@ -1,8 +1,10 @@
 #pragma once
 
-#include "job.h"
+#include "texel_source.h"
 
-namespace specbake {
+#include <specbake/core/upsampler.h>
+
+namespace specbake::internal {
 
 /// The coarsest grid whose spectra deviate from the directly solved ones by at most `deviation`:
 /// RMS over the bands and over the colours of the texture, each once, or over a sample of
@@ -13,8 +15,9 @@ struct GridChoice {
 };
 inline constexpr std::size_t kSampledColors = 4096;
 
-/// Throws FileError if the finest grid does not do.
-GridChoice chooseGrid(const Job& job, double deviation);
+/// Throws FileError if the finest grid does not suffice.
+GridChoice chooseGrid(const TexelSource& source, const ColorSpace& space,
+                      const UpsamplerOptions& model, double deviation);
 
 /// The fewest bits of mantissa with which every texel, as half, is within `difference` (CIEDE2000)
 /// of the colour that its unrounded spectrum has. Every colour of the texture is tried.
@@ -23,7 +26,7 @@ struct BitsChoice {
     double difference = 0;  ///< the largest that was met
 };
 
-/// Throws FileError if all 10 bits do not do.
-BitsChoice chooseBits(const Job& job, SpectrumLookup& lookup, double difference);
+/// Throws FileError if all the bits of a half do not suffice.
+BitsChoice chooseBits(const TexelSource& source, const Upsampler& upsampler, double difference);
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// What one neighbour gives to each texel of the smaller row.
@@ -89,4 +89,4 @@ TexelRow averageRows(std::span<const TexelRow* const> rows, const BoxTaps& verti
     return averages;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

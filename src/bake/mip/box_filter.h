@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// What one texel averages of a side: `count` neighbours from `first` on, with these shares.
 struct BoxTaps {
@@ -37,4 +37,4 @@ using TexelRow = std::vector<float>;
 TexelRow averageRows(std::span<const TexelRow* const> rows, const BoxTaps& vertical, int width,
                      bool alpha);
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -2,26 +2,24 @@
 
 #include "mip/pyramid.h"
 
-#include <specbake/image/spectral_writer.h>
+#include <specbake/image/spectral_sink.h>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// Rounds, packs and writes rows of tiles. The tiles of a row are packed by all threads of the
 /// arena that the caller is in, and written in order by the caller.
 class LevelTiles {
   public:
     /// `bits`: of the mantissa of half samples.
-    LevelTiles(SpectralWriter& writer, SampleType type, int bits, bool alpha);
+    LevelTiles(SpectralSink& sink, int bits);
 
     void write(const TileRow& row);
 
   private:
     std::vector<std::byte> samplesOf(const TileRow& row, const Window& texels) const;
 
-    SpectralWriter& writer_;
-    SampleType type_;
+    SpectralSink& sink_;
     int bits_;
-    bool alpha_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

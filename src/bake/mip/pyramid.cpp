@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace specbake {
+namespace specbake::internal {
 
 Pyramid::Pyramid(std::span<const ChunkGrid> levels, bool alpha) : alpha_(alpha) {
     for (const ChunkGrid& grid : levels) levels_.push_back({grid, 0, {}, {}});
@@ -39,4 +39,4 @@ void Pyramid::addBelow(std::size_t level) {
     add(level + 1, std::move(below));
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

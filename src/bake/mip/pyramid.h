@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// A row of tiles of one level, whole.
 struct TileRow {
@@ -47,4 +47,4 @@ class Pyramid {
     std::vector<TileRow> complete_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

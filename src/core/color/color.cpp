@@ -60,6 +60,10 @@ Chromaticity chromaticity(const XYZ& color) {
     return {color.x / sum, color.y / sum};
 }
 
+double linearFrom(double encoded, Transfer transfer) {
+    return transfer == Transfer::sRGB ? linearFromSRGB(encoded) : encoded;
+}
+
 double linearFromSRGB(double encoded) {
     const double v = std::abs(encoded);
     const double linear = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);

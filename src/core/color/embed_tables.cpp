@@ -50,7 +50,7 @@ std::int64_t exactTenBillionths(const std::string& text) {
 
 void writeTables(const std::vector<Row>& cmf, const std::vector<Row>& light, std::ostream& out) {
     out << "// Made from data/*.csv by embed_tables.\n#include \"color/tables.h\"\n\n"
-        << "namespace specbake::tables {\n\n"
+        << "namespace specbake::internal::tables {\n\n"
         << "const std::array<std::array<std::int64_t, 3>, kBandCount> colorMatching = {{\n";
     for (std::size_t i = 1; i < cmf.size(); ++i) {
         out << "    {" << exactTenBillionths(cmf[i].at(1)) << ", "
@@ -63,7 +63,7 @@ void writeTables(const std::vector<Row>& cmf, const std::vector<Row>& light, std
         for (std::size_t i = 1; i < light.size(); ++i) out << light[i].at(column) << ", ";
         out << "}},\n";
     }
-    out << "};\n\n}  // namespace specbake::tables\n";
+    out << "};\n\n}  // namespace specbake::internal::tables\n";
 }
 
 }  // namespace

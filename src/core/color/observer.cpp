@@ -6,6 +6,9 @@
 #include <algorithm>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
 const std::array<double, kBandCount>& illuminantPower(std::string_view name) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The tables of data/*.csv, made into arrays by embed_tables.
-namespace specbake::tables {
+namespace specbake::internal::tables {
 
 /// Colour-matching functions x̄, ȳ, z̄, a row a band, as exact multiples of 1e-10.
 /// The printed decimals decide which vectors are parallel, so they are kept exactly.
@@ -21,4 +21,4 @@ struct IlluminantTable {
 };
 extern const std::vector<IlluminantTable> illuminants;
 
-}  // namespace specbake::tables
+}  // namespace specbake::internal::tables

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace specbake {
+namespace specbake::internal {
 
 BasePolygon::BasePolygon(std::vector<Imath::V2d> edges) : edges_(std::move(edges)) {
     for (const Imath::V2d& edge : edges_) center_ += edge / 2;
@@ -48,4 +48,4 @@ std::vector<double> BasePolygon::upperChain(double x) const {
     return values;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

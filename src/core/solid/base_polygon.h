@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// One base of the object-colour solid: the planar zonogon of the generators with Z = 0.
 ///
@@ -38,4 +38,4 @@ class BasePolygon {
     Imath::V2d center_{0, 0};
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace specbake {
+namespace specbake::internal {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::vector<std::size_t> FaceLevels::atLeast(double threshold, const Imath::V3d&
     return found;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// The largest |n·d| of some thousands of normals n, without looking at all of them.
 ///
@@ -43,4 +43,4 @@ class FaceLevels {
     std::vector<Box> boxes_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 __extension__ using Exact = __int128;
@@ -101,4 +101,4 @@ const Generators& generators() {
     return made;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

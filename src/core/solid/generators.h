@@ -7,7 +7,7 @@
 #include <bitset>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// A set of generators; also a vertex of the solid, the sum of the set.
 using GeneratorSet = std::bitset<kBandCount>;
@@ -48,4 +48,4 @@ struct Generators {
 /// Made once, on first use.
 const Generators& generators();
 
-}  // namespace specbake
+}  // namespace specbake::internal

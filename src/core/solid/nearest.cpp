@@ -11,6 +11,9 @@
 #include <limits>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
 class ActiveSet {

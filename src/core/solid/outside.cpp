@@ -30,6 +30,11 @@ Attainable nearest(const Solid& solid, const XYZ& asked) {
 
 }  // namespace
 
+std::span<const Outside> outsideRules() {
+    static constexpr std::array rules = {Outside::nearest, Outside::scale, Outside::error};
+    return rules;
+}
+
 std::string_view outsideName(Outside rule) {
     for (const auto& [value, name] : kNames) {
         if (value == rule) return name;

@@ -7,6 +7,9 @@
 #include <limits>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
 /// α w_m + β w_k, 0 <= α, β <= 1.
@@ -137,7 +140,8 @@ Solid::Data::FacePoint Solid::Data::onBoundary(const XYZ& boundary) const {
     return best;
 }
 
-Imath::V3d colorOf(const std::vector<Imath::V3d>& vectors, const GeneratorValues& values) {
+Imath::V3d internal::colorOf(const std::vector<Imath::V3d>& vectors,
+                             const GeneratorValues& values) {
     Imath::V3d sum(0.0);
     for (std::size_t j = 0; j < vectors.size(); ++j) sum += values[j] * vectors[j];
     return sum;
@@ -152,16 +156,13 @@ Spectrum Solid::Data::expand(const GeneratorValues& values) {
     return spectrum;
 }
 
-GeneratorValues opposite(const GeneratorValues& values) {
+GeneratorValues internal::opposite(const GeneratorValues& values) {
     GeneratorValues result;
     for (std::size_t j = 0; j < values.size(); ++j) result[j] = 1 - values[j];
     return result;
 }
 
-Solid::Solid(const Observer& observer) : data_(std::make_unique<Data>(observer)) {}
-Solid::~Solid() = default;
-Solid::Solid(Solid&&) noexcept = default;
-Solid& Solid::operator=(Solid&&) noexcept = default;
+Solid::Solid(const Observer& observer) : data_(std::make_shared<const Data>(observer)) {}
 
 const XYZ& Solid::white() const {
     return data_->white;

@@ -9,10 +9,20 @@
 #include <array>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// s by generator; all bands of a generator share its value.
 using GeneratorValues = std::array<double, kBandCount>;
+
+/// W s
+Imath::V3d colorOf(const std::vector<Imath::V3d>& vectors, const GeneratorValues& values);
+
+/// 1 − s, the spectrum of the point opposite.
+GeneratorValues opposite(const GeneratorValues& values);
+
+}  // namespace specbake::internal
+
+namespace specbake {
 
 /// What every part of the solid shares.
 struct Solid::Data {
@@ -21,35 +31,29 @@ struct Solid::Data {
     XYZ white;
     XYZ center;
     std::vector<Imath::V3d> vectors;  ///< the generators, each the sum of its bands' w_m
-    BasePolygon base;
+    internal::BasePolygon base;
     Imath::V2d topCenter;  ///< of the base at Z = max, in XY
 
     /// The outward normals with n_Z > 0, over h(n): those of generators().sides, then the base's.
     /// The solid's symmetry gives the other half.
-    FaceLevels faces;
+    internal::FaceLevels faces;
     double gaugeError = 0;
 
     /// Values whose colour is a boundary point's, and how far their colour is from it.
     struct FacePoint {
-        GeneratorValues values{};
+        internal::GeneratorValues values{};
         double error = 0;
     };
     FacePoint onBoundary(const XYZ& boundary) const;
 
-    static Spectrum expand(const GeneratorValues& values);
+    static Spectrum expand(const internal::GeneratorValues& values);
 
     /// The chosen values of a point of the base at Z = max.
     FacePoint onTopBase(const XYZ& point) const;
-    FacePoint onSide(const SidePair& side, const XYZ& point) const;
+    FacePoint onSide(const internal::SidePair& side, const XYZ& point) const;
 
   private:
     void makeFaces();
 };
-
-/// W s
-Imath::V3d colorOf(const std::vector<Imath::V3d>& vectors, const GeneratorValues& values);
-
-/// 1 − s, the spectrum of the point opposite.
-GeneratorValues opposite(const GeneratorValues& values);
 
 }  // namespace specbake

@@ -7,6 +7,8 @@
 
 namespace specbake {
 
+using namespace internal;
+
 SolidFacts solidFacts(const Observer& observer) {
     const Generators& g = generators();
     const Solid solid(observer);

@@ -9,6 +9,9 @@
 #include <unordered_map>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
 class MeshBuilder {

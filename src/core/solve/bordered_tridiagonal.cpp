@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 constexpr std::size_t kLast = kBandCount - 1;
@@ -86,4 +86,4 @@ bool solveInPlace(const BorderedTridiagonal& system, BorderedVector& right) {
     return true;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// The symmetric system
 ///
@@ -29,4 +29,4 @@ struct BorderedVector {
 /// Overwrites `right` by the solution. False if the system is singular.
 [[nodiscard]] bool solveInPlace(const BorderedTridiagonal& system, BorderedVector& right);
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -2,6 +2,7 @@
 #include "solve/polish.h"
 
 #include <specbake/core/dual_newton.h>
+#include <specbake/core/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,9 @@
 #include <vector>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
 /// Rounding errors of W s - t, a sum near 1: what is smaller is 0.
@@ -144,7 +148,7 @@ NearestReflectance nearestReflectance(const Observer& observer, const XYZ& color
     int iterations = 0;
     for (; iterations < maxIterations; ++iterations) {
         const Imath::V3d gradient = dual.gradient(at.p);
-        if (largest(gradient) <= kRounding) break;
+        if (largestComponent(gradient) <= kRounding) break;
         const FaceModes curvature = dual.curvature(at.p);
         const double reach = 10 * (at.mu.length() + 1 / observer.white().length());
         const Imath::V3d step = newtonStep(curvature, gradient, reach);
@@ -166,7 +170,7 @@ Solution DualNewtonSolver::solve(const XYZ& color) const {
 Solution DualNewtonSolver::solveFrom(const XYZ& color, const Spectrum& start) const {
     Solution solution;
     solution.report.residual = std::numeric_limits<double>::infinity();
-    if (!(largest(color) <= std::numeric_limits<double>::max())) return solution;
+    if (!(largestComponent(color) <= std::numeric_limits<double>::max())) return solution;
     const NearestReflectance nearest =
         nearestReflectance(observer_, color, start, options_.maxIterations);
     solution.spectrum = nearest.spectrum;

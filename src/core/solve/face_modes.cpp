@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// R of the QR decomposition of the free rows of W^T (n x 3) by modified Gram-Schmidt: G = R^T R.
@@ -55,4 +55,4 @@ FaceModes faceModes(const Weights& weights, const FreeSet& free) {
     return modes;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace specbake {
+namespace specbake::internal {
 
 using Weights = std::array<Imath::V3d, kBandCount>;
 
@@ -27,4 +27,4 @@ struct FaceModes {
 
 FaceModes faceModes(const Weights& weights, const FreeSet& free);
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// The components of a spectrum that may still move, in ascending order. All of them at first.
 class FreeSet {
@@ -30,4 +30,4 @@ class FreeSet {
     std::size_t count_ = kBandCount;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

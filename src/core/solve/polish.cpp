@@ -2,17 +2,11 @@
 
 #include "solve/face_modes.h"
 
+#include <specbake/core/vector.h>
+
 #include <cmath>
 
-namespace specbake {
-
-double largest(const Imath::V3d& v) {
-    double worst = std::abs(v.x);
-    for (const double value : {v.y, v.z}) {
-        if (!(std::abs(value) <= worst)) worst = std::abs(value);
-    }
-    return worst;
-}
+namespace specbake::internal {
 
 double polish(const Observer& observer, const XYZ& color, Spectrum& spectrum) {
     constexpr double roundings = 4 * 0x1p-52;  // a few of a sum near 1: not worth a correction
@@ -21,19 +15,19 @@ double polish(const Observer& observer, const XYZ& color, Spectrum& spectrum) {
     free.removeIf([&](std::size_t m) { return !inside(spectrum[m]); });
     const FaceModes modes = faceModes(observer.weights(), free);
     Imath::V3d residual = observer.color(spectrum) - color;
-    for (int round = 0; round < 3 && largest(residual) > roundings; ++round) {
+    for (int round = 0; round < 3 && largestComponent(residual) > roundings; ++round) {
         const Imath::V3d direction = modes.solve(residual);
         Spectrum corrected = spectrum;
         for (const std::size_t m : free) {
             corrected[m] -= observer.weights()[m].dot(direction);
-            if (!inside(corrected[m])) return largest(residual);
+            if (!inside(corrected[m])) return largestComponent(residual);
         }
         const Imath::V3d left = observer.color(corrected) - color;
-        if (!(largest(left) < largest(residual))) break;
+        if (!(largestComponent(left) < largestComponent(residual))) break;
         spectrum = corrected;
         residual = left;
     }
-    return largest(residual);
+    return largestComponent(residual);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

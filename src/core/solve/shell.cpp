@@ -1,5 +1,6 @@
 #include <specbake/core/error.h>
 #include <specbake/core/shell.h>
+#include <specbake/core/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,6 @@ namespace {
 
 using enum SolveReport::Status;
 
-double largest(const Imath::V3d& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 bool isFinite(const XYZ& c) {
     return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
 }
@@ -23,7 +20,7 @@ bool isFinite(const XYZ& c) {
 std::optional<double> cornerValue(const XYZ& color, const XYZ& white) {
     constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
     if (color == XYZ(0, 0, 0)) return 0;
-    if (largest(color - white) <= rounding * largest(white)) return 1;
+    if (largestComponent(color - white) <= rounding * largestComponent(white)) return 1;
     return {};
 }
 
@@ -31,14 +28,14 @@ Solution report(const Observer& observer, const XYZ& color, const Spectrum& spec
                 SolveReport::Status status) {
     Solution solution{spectrum, {}};
     solution.report.status = status;
-    solution.report.residual = largest(observer.color(spectrum) - color);
+    solution.report.residual = largestComponent(observer.color(spectrum) - color);
     return solution;
 }
 
 }  // namespace
 
-ShellSolver::ShellSolver(const Observer& observer, double relativeDepth)
-    : relativeDepth_(relativeDepth), observer_(observer), solid_(observer), smooth_(observer) {
+ShellSolver::ShellSolver(const Observer& observer, const Solid& solid, double relativeDepth)
+    : relativeDepth_(relativeDepth), observer_(observer), solid_(solid), smooth_(observer) {
     if (!(relativeDepth > 0 && relativeDepth <= 1)) {
         throw ArgumentError("the shell's relative depth must be above 0 and at most 1");
     }

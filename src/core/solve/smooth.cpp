@@ -1,12 +1,16 @@
 #include "solve/bordered_tridiagonal.h"
 
 #include <specbake/core/smooth.h>
+#include <specbake/core/vector.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
 using Imath::V3d;
@@ -15,10 +19,6 @@ constexpr double kTolerance = 1e-12;      ///< of the residual, relative to the 
 constexpr double kSlopeTolerance = 1e-9;  ///< of the stationarity equations, absolute
 constexpr int kMaxIterations = 60;
 constexpr double kLongestStep = 2;  ///< in z: tanh changes its character over about 2
-
-double largest(const V3d& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 /// z and the three multipliers, with the two residuals of the stationarity equations.
 struct Point {
@@ -54,7 +54,7 @@ struct Linearisation {
         for (const double g : gradient.x) worst = std::max(worst, std::abs(g));
         return worst;
     }
-    double residual() const { return largest(gradient.y); }
+    double residual() const { return largestComponent(gradient.y); }
 };
 
 /// L = ½ Σ (z_{m+1} - z_m)² + λ·(W s(z) - t)
@@ -100,7 +100,7 @@ Outcome newton(const Observer& observer, const XYZ& target, Point& p) {
     Outcome outcome;
     for (;; ++outcome.iterations) {
         outcome.last = linearise(observer, target, p);
-        outcome.converged = outcome.last.residual() <= kTolerance * largest(target) &&
+        outcome.converged = outcome.last.residual() <= kTolerance * largestComponent(target) &&
                             outcome.last.slope() <= kSlopeTolerance;
         if (outcome.converged || outcome.iterations == kMaxIterations) return outcome;
         if (!step(outcome.last, p)) return outcome;
@@ -120,7 +120,9 @@ Solution solutionOf(const Outcome& outcome) {
 std::optional<double> greyLevel(const XYZ& color, const XYZ& white) {
     const double level = color.y / white.y;
     const double rounding = 8 * std::numeric_limits<double>::epsilon();  // a 3x3 product's
-    if (largest(color - white * level) > rounding * std::max(largest(color), 1e-300)) return {};
+    if (largestComponent(color - white * level) >
+        rounding * std::max(largestComponent(color), 1e-300))
+        return {};
     if (std::abs(level - 1) <= rounding) return 1;
     return level;
 }
@@ -128,7 +130,7 @@ std::optional<double> greyLevel(const XYZ& color, const XYZ& white) {
 Solution flatSolution(const Observer& observer, const XYZ& color, double level) {
     using enum SolveReport::Status;
     Solution solution{constantSpectrum(std::clamp(level, 0.0, 1.0)), {}};
-    solution.report.residual = largest(observer.color(solution.spectrum) - color);
+    solution.report.residual = largestComponent(observer.color(solution.spectrum) - color);
     solution.report.status = level < 0 || level > 1 ? outside : solved;
     return solution;
 }

@@ -15,7 +15,7 @@
 #include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
-namespace specbake::HWY_NAMESPACE {
+namespace specbake::internal::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -29,12 +29,12 @@ constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
 constexpr std::array<float, kNodeStride> mostOfEachValue() {
     std::array<float, kNodeStride> most{};
     most.fill(1);
-    for (std::size_t p = 0; p < kPreviewValues; ++p) most[p] = std::numeric_limits<float>::max();
+    for (std::size_t p = 0; p < kPreviewSamples; ++p) most[p] = std::numeric_limits<float>::max();
     return most;
 }
 alignas(64) constexpr std::array<float, kNodeStride> kMost = mostOfEachValue();
 
-/// A row of texels in kNodeValues planes on its way to memory. Blocks of kBlock texels are put
+/// A row of texels in kTexelSamples planes on its way to memory. Blocks of kBlock texels are put
 /// together here and leave by whole cache lines past the caches: written in place, the planes,
 /// often a power of two apart, would drive each other out of the cache.
 template <class Sample>
@@ -47,7 +47,7 @@ class PlaneRows {
 
     /// Sends a whole block, which begins at texel `first`; what does not fill a line waits.
     void send(std::size_t first) {
-        for (std::size_t p = 0; p < kNodeValues; ++p) {
+        for (std::size_t p = 0; p < kTexelSamples; ++p) {
             Sample* to = row(p) + first;
             const std::size_t waiting = waitingBefore(to);
             const Sample* from = block(p) - waiting;
@@ -63,7 +63,7 @@ class PlaneRows {
 
     /// Sends what waits, and `count` samples of the block at hand.
     void finish(std::size_t first, std::size_t count) {
-        for (std::size_t p = 0; p < kNodeValues; ++p) {
+        for (std::size_t p = 0; p < kTexelSamples; ++p) {
             Sample* to = row(p) + first;
             const std::size_t waiting = first == 0 ? 0 : waitingBefore(to);
             std::copy_n(block(p) - waiting, waiting + count, to - waiting);
@@ -93,7 +93,7 @@ class PlaneRows {
     std::byte* planes_;
     std::size_t stride_;
     /// Of each plane, the line before the block and the block.
-    alignas(kLineBytes) std::array<std::array<Sample, kLine + kBlock>, kNodeValues> line_;
+    alignas(kLineBytes) std::array<std::array<Sample, kLine + kBlock>, kTexelSamples> line_;
 };
 
 /// Four values of kLanes texels: value by value, a lane a texel.
@@ -168,7 +168,7 @@ void blendTogether(const Mix* texels, PlaneRows<Sample>& rows, std::size_t at) {
     static_assert(sizeof(Mix) % sizeof(float) == 0);
     const Columns w = transposed(texels->weights.data(), sizeof(Mix) / sizeof(float));
     const auto& v = texels->values;
-    for (std::size_t p = 0; p < kNodeValues; ++p) {
+    for (std::size_t p = 0; p < kTexelSamples; ++p) {
         const Columns same = {hn::Set(kFloats, v[0][p]), hn::Set(kFloats, v[1][p]),
                               hn::Set(kFloats, v[2][p]), hn::Set(kFloats, v[3][p])};
         const Vector most = hn::Set(kFloats, kMost[p]);
@@ -178,7 +178,7 @@ void blendTogether(const Mix* texels, PlaneRows<Sample>& rows, std::size_t at) {
 
 HWY_INLINE void prefetch(const Mix& texel) {
     for (const float* values : texel.values) {
-        for (std::size_t p = 0; p < kNodeValues; p += 16) hwy::Prefetch(values + p);
+        for (std::size_t p = 0; p < kTexelSamples; p += 16) hwy::Prefetch(values + p);
     }
 }
 
@@ -187,7 +187,7 @@ void blendOne(const Mix& texel, float* samples) {
     const auto& [v, weight] = texel;
     const Columns w = {hn::Set(kFloats, weight[0]), hn::Set(kFloats, weight[1]),
                        hn::Set(kFloats, weight[2]), hn::Set(kFloats, weight[3])};
-    for (std::size_t p = 0; p < kNodeValues; p += kLanes) {
+    for (std::size_t p = 0; p < kTexelSamples; p += kLanes) {
         const Columns values = {hn::Load(kFloats, v[0] + p), hn::Load(kFloats, v[1] + p),
                                 hn::Load(kFloats, v[2] + p), hn::Load(kFloats, v[3] + p)};
         const Vector most = hn::Load(kFloats, kMost.data() + p);
@@ -203,7 +203,7 @@ void blendApart(const Mix* texels, PlaneRows<Sample>& rows, std::size_t at) {
         prefetch(texels[std::min(i + 3, kLanes - 1)]);  // three texels take as long as a cache miss
         blendOne(texels[i], samples[i].data());
     }
-    for (std::size_t p = 0; p < kNodeValues; p += 4) {
+    for (std::size_t p = 0; p < kTexelSamples; p += 4) {
         const Columns c = transposed(samples[0].data() + p, kNodeStride);
         store(c.c0, rows.block(p) + at);
         store(c.c1, rows.block(p + 1) + at);
@@ -247,6 +247,39 @@ void blendRow(std::span<const Mix> texels, std::byte* planes, std::size_t planeS
     hwy::FlushStream();
 }
 
+/// One texel's samples that are wanted, of all of them.
+template <class Sample>
+void storeSome(const float* samples, const SampleSelection& wanted, std::byte* to,
+               std::size_t step) {
+    if (wanted.run() && step == sizeof(Sample)) {
+        alignas(64) std::array<Sample, kNodeStride> stored;
+        for (std::size_t p = 0; p < kTexelSamples; p += kLanes) {
+            store(hn::Load(kFloats, samples + p), stored.data() + p);
+        }
+        std::memcpy(to, stored.data() + *wanted.run(), wanted.count() * sizeof(Sample));
+        return;
+    }
+    for (const auto& [first, fraction] : wanted.taps()) {
+        const float low = samples[first];
+        const Sample sample(fraction == 0 ? low : low + fraction * (samples[first + 1] - low));
+        std::memcpy(to, &sample, sizeof sample);
+        to += step;
+    }
+}
+
+void blendWanted(std::span<const Mix> texels, const SampleSelection& wanted,
+                 const SampleTarget& target) {
+    alignas(64) std::array<float, kNodeStride> samples;
+    std::byte* to = target.to;
+    for (const Mix& texel : texels) {
+        blendOne(texel, samples.data());
+        target.type == SampleType::half
+            ? storeSome<Imath::half>(samples.data(), wanted, to, target.perSample)
+            : storeSome<float>(samples.data(), wanted, to, target.perSample);
+        to += target.perColor;
+    }
+}
+
 void blendHalf(std::span<const Mix> texels, std::byte* planes, std::size_t planeStride) {
     blendRow<Imath::half>(texels, planes, planeStride);
 }
@@ -256,35 +289,30 @@ void blendFloat(std::span<const Mix> texels, std::byte* planes, std::size_t plan
 }
 
 }  // namespace
-}  // namespace specbake::HWY_NAMESPACE
+}  // namespace specbake::internal::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace specbake {
+namespace specbake::internal {
 namespace {
 HWY_EXPORT(blendHalf);
 HWY_EXPORT(blendFloat);
+HWY_EXPORT(blendWanted);
 }  // namespace
 
-void blend(std::span<const Mix> texels, BlendType type, std::byte* planes,
+void blend(std::span<const Mix> texels, SampleType type, std::byte* planes,
            std::size_t planeStride) {
-    if (type == BlendType::half) {
+    if (type == SampleType::half) {
         HWY_DYNAMIC_DISPATCH(blendHalf)(texels, planes, planeStride);
     } else {
         HWY_DYNAMIC_DISPATCH(blendFloat)(texels, planes, planeStride);
     }
 }
 
-void storeSamples(std::span<const float> values, BlendType type, std::byte* plane) {
-    if (type == BlendType::float32) {
-        std::memcpy(plane, values.data(), values.size_bytes());
-        return;
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const Imath::half value = values[i];
-        std::memcpy(plane + i * sizeof value, &value, sizeof value);
-    }
+void blendSome(std::span<const Mix> texels, const SampleSelection& wanted,
+               const SampleTarget& target) {
+    HWY_DYNAMIC_DISPATCH(blendWanted)(texels, wanted, target);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal
 #endif

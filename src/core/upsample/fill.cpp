@@ -1,6 +1,6 @@
 #include "upsample/fill.h"
 
-namespace specbake {
+namespace specbake::internal {
 
 NodeStore filledStore(const Grid& grid, const Imath::M33d& xyzFromGrid, const Solver& solver) {
     const auto find = [&grid, &solver, xyzFromGrid, encoder = NodeEncoder()](std::uint32_t node,
@@ -15,4 +15,4 @@ NodeStore filledStore(const Grid& grid, const Imath::M33d& xyzFromGrid, const So
     return {grid.nodeCount(), find};
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

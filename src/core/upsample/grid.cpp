@@ -6,11 +6,11 @@
 #include <cmath>
 #include <string>
 
-namespace specbake {
+namespace specbake::internal {
 
 GridAxis::GridAxis(int nodes) : nodes_(nodes) {
-    if (nodes < kFewestNodes || nodes > kMostNodes) {
-        throw ArgumentError("a grid has 2 to 129 nodes an axis, not " + std::to_string(nodes));
+    if (nodes < kFewestGridNodes || nodes > kMostGridNodes) {
+        throw ArgumentError("a grid of " + std::to_string(nodes) + " nodes an axis");
     }
     position_.resize(std::max(std::size_t(nodes), kShortestTable));
     for (int i = 0; i < nodes; ++i) {
@@ -71,4 +71,4 @@ GridSimplex Grid::locate(const std::array<float, 3>& point) const {
              third.fraction}};
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

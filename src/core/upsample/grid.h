@@ -1,21 +1,20 @@
 #pragma once
 
+#include <specbake/core/upsampler_options.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// Node positions along one axis of the grid: u² for u = 0, 1/(n-1), …, 1, dense in the dark as
 /// the eye is. Positions are floats, so that a colour that was stored as one meets them exactly.
 class GridAxis {
   public:
-    static constexpr int kFewestNodes = 2;
-    static constexpr int kMostNodes = 129;
-
-    /// Throws ArgumentError unless kFewestNodes <= nodes <= kMostNodes.
+    /// Throws ArgumentError unless kFewestGridNodes <= nodes <= kMostGridNodes.
     explicit GridAxis(int nodes);
 
     int nodes() const { return nodes_; }
@@ -81,4 +80,4 @@ class Grid {
     GridAxis axis_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <initializer_list>
 
-namespace specbake {
+namespace specbake::internal {
 
 GridMargin::GridMargin(const Grid& grid, const Imath::M33d& xyzFromGrid, const Solid& solid)
     : grid_(grid), xyzFromGrid_(xyzFromGrid), solid_(solid) {
@@ -65,4 +65,4 @@ float GridMargin::at(const GridSimplex& simplex) {
     return all ? 1 : sum;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <memory>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// How far a grid may be trusted where the boundary of the object-colour solid cuts its cells.
 ///
@@ -39,4 +39,4 @@ class GridMargin {
     std::unique_ptr<std::atomic<std::uint8_t>[]> known_;  ///< 0: not looked at; 1 + margin
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

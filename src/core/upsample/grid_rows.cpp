@@ -9,7 +9,7 @@
 #include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
-namespace specbake::HWY_NAMESPACE {
+namespace specbake::internal::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -135,11 +135,11 @@ bool locateRow(const GridAxis& axis, std::span<const std::array<float, 3>> point
 }
 
 }  // namespace
-}  // namespace specbake::HWY_NAMESPACE
+}  // namespace specbake::internal::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace specbake {
+namespace specbake::internal {
 namespace {
 HWY_EXPORT(locateRow);
 }  // namespace
@@ -150,5 +150,5 @@ bool Grid::locate(std::span<const std::array<float, 3>> points,
     return HWY_DYNAMIC_DISPATCH(locateRow)(axis_, points, nodes.data(), weights.data());
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal
 #endif

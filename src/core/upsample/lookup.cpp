@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 using Color = SpectrumLookup::Color;
@@ -23,7 +23,7 @@ bool isInUnitCube(const Color& color) {
 /// (1 - weight) a + weight b
 NodeValues mixed(const NodeValues& a, const float* b, float weight) {
     NodeValues result;
-    for (std::size_t p = 0; p < kNodeValues; ++p) {
+    for (std::size_t p = 0; p < kTexelSamples; ++p) {
         result.value[p] = (1 - weight) * a.value[p] + weight * b[p];
     }
     return result;
@@ -31,7 +31,7 @@ NodeValues mixed(const NodeValues& a, const float* b, float weight) {
 
 NodeValues blended(const Mix& mix) {
     NodeValues result;
-    for (std::size_t p = 0; p < kNodeValues; ++p) {
+    for (std::size_t p = 0; p < kTexelSamples; ++p) {
         for (std::size_t k = 0; k < 4; ++k) {
             result.value[p] += mix.weights[k] * mix.values[k][p];
         }
@@ -41,14 +41,14 @@ NodeValues blended(const Mix& mix) {
 
 NodeValues difference(const NodeValues& a, const NodeValues& b) {
     NodeValues result;
-    for (std::size_t p = 0; p < kNodeValues; ++p) result.value[p] = a.value[p] - b.value[p];
+    for (std::size_t p = 0; p < kTexelSamples; ++p) result.value[p] = a.value[p] - b.value[p];
     return result;
 }
 
 /// The most of a step that keeps a spectrum within [0, 1].
 float room(const NodeValues& values, const NodeValues& step) {
     float most = 1;
-    for (std::size_t p = kPreviewValues; p < kNodeValues; ++p) {
+    for (std::size_t p = kPreviewSamples; p < kTexelSamples; ++p) {
         const float v = values.value[p];
         const float d = step.value[p];
         if (v + d > 1) most = std::min(most, (1 - v) / d);
@@ -76,17 +76,19 @@ SpectrumLookup::SpectrumLookup(std::optional<int> gridNodes, const LookupSpaces&
     if (gridNodes) lattice_ = std::make_unique<Lattice>(*gridNodes, spaces.xyzFromGrid, resolver);
 }
 
-void SpectrumLookup::locate(std::span<const Color> colors, std::size_t firstTexel,
-                            std::span<Mix> mixes, Scratch& scratch, TexelCensus& census) {
+void SpectrumLookup::locate(std::span<const Color> colors, std::span<Mix> mixes, Scratch& scratch,
+                            ColorCensus& census) {
     for (std::size_t i = 0; i < colors.size(); i += kRun) {
         const std::size_t count = std::min(kRun, colors.size() - i);
-        locateRun(colors.subspan(i, count), firstTexel + i, mixes.data() + i, scratch, census);
+        ColorCensus met;
+        locateRun(colors.subspan(i, count), mixes.data() + i, scratch, met);
+        census.add(met, i);
     }
 }
 
 /// A run as long as its places in the grid may stand on the stack.
-void SpectrumLookup::locateRun(std::span<const Color> colors, std::size_t firstTexel, Mix* mixes,
-                               Scratch& scratch, TexelCensus& census) {
+void SpectrumLookup::locateRun(std::span<const Color> colors, Mix* mixes, Scratch& scratch,
+                               ColorCensus& census) {
     std::array<std::array<std::uint32_t, 4>, kRun> nodes;
     std::array<std::array<float, 4>, kRun> weights;
     const bool wholly = lattice_ && !gridFromTexel_ && lattice_->margin.wholeCube();
@@ -100,8 +102,13 @@ void SpectrumLookup::locateRun(std::span<const Color> colors, std::size_t firstT
         }
         if (i == 0 || colors[i] != colors[i - 1]) found = find(colors[i], scratch);
         mixes[i] = found.mix;
-        if (found.solved) census.meet(firstTexel + i, found.solved->fate, found.solved->difference);
+        if (found.solved) census.meet(i, found.solved->fate, found.solved->difference);
     }
+}
+
+void SpectrumLookup::solveNodes() {
+    const std::size_t count = lattice_ ? lattice_->grid.nodeCount() : 0;
+    for (std::size_t node = 0; node < count; ++node) lattice_->store.at(std::uint32_t(node));
 }
 
 SpectrumLookup::Found SpectrumLookup::find(const Color& color, Scratch& scratch) {
@@ -180,7 +187,7 @@ void SpectrumLookup::addFaceStep(const Color& point, NodeValues& values) {
     if (!hasSpectrum(solved)) return;
     const NodeValues step = difference(blended(place.mix), solved.values);
     const float share = std::min(place.margin * (1 - distance / fadedOut), room(values, step));
-    for (std::size_t p = 0; p < kNodeValues; ++p) values.value[p] += share * step.value[p];
+    for (std::size_t p = 0; p < kTexelSamples; ++p) values.value[p] += share * step.value[p];
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

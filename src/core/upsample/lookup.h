@@ -4,8 +4,8 @@
 #include "upsample/fill.h"
 #include "upsample/grid_margin.h"
 #include "upsample/spectrum_cache.h"
-#include "upsample/texel_census.h"
 
+#include <specbake/core/color_census.h>
 #include <specbake/core/outside.h>
 
 #include <array>
@@ -13,7 +13,7 @@
 #include <optional>
 #include <span>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// Where texels stand: the linear space of the texture, and the cube that the grid divides.
 struct LookupSpaces {
@@ -36,11 +36,12 @@ class SpectrumLookup {
     using Scratch = std::deque<SolvedTexel>;
     using Color = std::array<float, 3>;
 
-    /// The mixes of a run of texels, the first of which is number `firstTexel` of the image.
-    /// A texel that has no spectrum counts in the census and gets that of black.
-    void locate(std::span<const Color> colors, std::size_t firstTexel, std::span<Mix> mixes,
-                Scratch& scratch, TexelCensus& census);
+    /// The mixes of a run of texels, numbered from 0 in the census. A texel that has no spectrum
+    /// counts there and gets that of black.
+    void locate(std::span<const Color> colors, std::span<Mix> mixes, Scratch& scratch,
+                ColorCensus& census);
 
+    void solveNodes();
     std::size_t nodesSolved() const { return lattice_ ? lattice_->store.foundCount() : 0; }
 
   private:
@@ -61,8 +62,8 @@ class SpectrumLookup {
 
     static constexpr std::size_t kRun = 64;
 
-    void locateRun(std::span<const Color> colors, std::size_t firstTexel, Mix* mixes,
-                   Scratch& scratch, TexelCensus& census);
+    void locateRun(std::span<const Color> colors, Mix* mixes, Scratch& scratch,
+                   ColorCensus& census);
     Color gridPoint(const Color& color) const;
     Place placeInGrid(const Color& point);
     Found find(const Color& color, Scratch& scratch);
@@ -79,4 +80,4 @@ class SpectrumLookup {
     std::unique_ptr<Lattice> lattice_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -5,7 +5,7 @@
 #include <new>
 #include <thread>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// Zero pages that cost memory only when a node is written to: a fine grid is mostly empty.
@@ -57,4 +57,4 @@ void NodeStore::find(std::uint32_t node) {
     ++found_;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

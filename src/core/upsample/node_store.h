@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// The values at a grid's nodes, each found when it is first asked for, by whichever thread asks.
 /// Since what stands at a node depends on the node alone, a result never depends on the order.
@@ -54,4 +54,4 @@ class NodeStore {
     std::atomic<std::size_t> found_ = 0;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

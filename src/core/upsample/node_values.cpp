@@ -1,6 +1,6 @@
 #include "upsample/node_values.h"
 
-namespace specbake {
+namespace specbake::internal {
 
 NodeEncoder::NodeEncoder()
     : daylight_("D65"),
@@ -13,9 +13,9 @@ NodeValues NodeEncoder::encode(const Spectrum& reflectance) const {
     node.value[1] = float(preview.y);
     node.value[2] = float(preview.x);
     for (std::size_t m = 0; m < reflectance.size(); ++m) {
-        node.value[kPreviewValues + m] = float(reflectance[m]);
+        node.value[kPreviewSamples + m] = float(reflectance[m]);
     }
     return node;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

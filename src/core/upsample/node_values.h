@@ -1,21 +1,19 @@
 #pragma once
 
 #include <specbake/core/observer.h>
+#include <specbake/core/samples.h>
 #include <specbake/core/spectrum.h>
 
 #include <array>
 #include <cstddef>
 
-namespace specbake {
+namespace specbake::internal {
 
-/// What is interpolated and stored of a spectrum, in the order of a file's channels: a preview
-/// colour B, G, R (linear sRGB of the reflectance under D65, unclamped), then the 81 bands.
-inline constexpr std::size_t kPreviewValues = 3;
-inline constexpr std::size_t kNodeValues = kPreviewValues + kBandCount;
-/// Padded to whole cache lines of 16 floats.
+/// What is interpolated and stored of a spectrum: a texel's samples (samples.h), the preview not
+/// clamped, padded to whole cache lines of 16 floats.
 inline constexpr std::size_t kNodeStride = 96;
 
-/// The values at one node; those beyond kNodeValues are 0.
+/// The values at one node; those beyond kTexelSamples are 0.
 struct alignas(64) NodeValues {
     std::array<float, kNodeStride> value{};
 };
@@ -32,4 +30,4 @@ class NodeEncoder {
     Imath::M33d sRGBFromXYZ_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

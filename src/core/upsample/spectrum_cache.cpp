@@ -1,8 +1,8 @@
 #include "upsample/spectrum_cache.h"
 
-#include "upsample/color_hash.h"
+#include <specbake/core/color_hash.h>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 std::size_t slotOf(const SpectrumCache::Color& color) {
@@ -29,4 +29,4 @@ void SpectrumCache::store(const Color& color, const SolvedTexel& solved) {
     }
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "upsample/node_values.h"
-#include "upsample/texel_census.h"
+
+#include <specbake/core/color_census.h>
 
 #include <array>
 #include <cstddef>
@@ -10,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// A texel solved by itself.
 struct SolvedTexel {
@@ -45,4 +46,4 @@ class SpectrumCache {
     std::vector<std::unique_ptr<Entry>> slots_ = std::vector<std::unique_ptr<Entry>>(kSlots);
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// Writes bits from the lowest of each byte up, as deflate does. At most kMostBits between two
 /// calls of flush(), each of which writes 8 bytes, of which the whole ones count.
@@ -42,4 +42,4 @@ class BitWriter {
     std::uint32_t count_ = 0;  ///< below 8 after flush()
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// Both codes' lengths, one after the other, in symbols of their own.
@@ -78,4 +78,4 @@ void writeCodeLengths(std::span<const CodeWord> literals, std::span<const CodeWo
     LengthsHeader(literals, distances).write(out);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

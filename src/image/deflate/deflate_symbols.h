@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace specbake {
+namespace specbake::internal {
 
 inline constexpr std::size_t kShortestMatch = 3;
 inline constexpr std::size_t kLongestMatch = 258;
@@ -37,4 +37,4 @@ inline Symbol distanceSymbol(std::size_t distance) {
     return onScale(std::uint32_t(distance) - 1, 1);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// A tree's node: a symbol, or the parent of two nodes.
@@ -95,4 +95,4 @@ std::vector<CodeWord> huffmanCode(std::span<const std::uint32_t> counts, std::ui
     return code;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

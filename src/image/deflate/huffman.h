@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// A code word as deflate writes it: first bit of the word in the lowest bit.
 struct CodeWord {
@@ -17,4 +17,4 @@ struct CodeWord {
 /// The counts' number must be below 2^longest.
 std::vector<CodeWord> huffmanCode(std::span<const std::uint32_t> counts, std::uint32_t longest);
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -19,7 +19,7 @@
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
-namespace specbake::HWY_NAMESPACE {
+namespace specbake::internal::HWY_NAMESPACE {
 namespace {
 
 constexpr std::size_t kBlock = kDeflateBlock;
@@ -172,11 +172,11 @@ std::size_t deflateRows(std::span<const std::uint8_t> bytes, std::size_t rowLeng
 }
 
 }  // namespace
-}  // namespace specbake::HWY_NAMESPACE
+}  // namespace specbake::internal::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace specbake {
+namespace specbake::internal {
 namespace {
 HWY_EXPORT(deflateRows);
 }  // namespace
@@ -186,5 +186,5 @@ std::size_t rowDeflate(std::span<const std::uint8_t> bytes, std::size_t rowLengt
     return HWY_DYNAMIC_DISPATCH(deflateRows)(bytes, rowLength, rowsBack, packed);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal
 #endif

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// The farthest that deflate looks back.
 inline constexpr std::size_t kDeflateWindow = 32768;
@@ -29,4 +29,4 @@ constexpr std::size_t rowDeflateBound(std::size_t size) {
     return size + 2 * kDeflateBlock + 512;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

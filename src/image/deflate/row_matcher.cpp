@@ -12,7 +12,7 @@
 #include <bit>
 
 HWY_BEFORE_NAMESPACE();
-namespace specbake::HWY_NAMESPACE {
+namespace specbake::internal::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -130,11 +130,11 @@ void splitBlock(std::span<const std::uint8_t> bytes, std::span<const std::size_t
 }
 
 }  // namespace
-}  // namespace specbake::HWY_NAMESPACE
+}  // namespace specbake::internal::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace specbake {
+namespace specbake::internal {
 namespace {
 HWY_EXPORT(splitBlock);
 }  // namespace
@@ -154,5 +154,5 @@ void RowMatcher::split(std::size_t begin, std::size_t end, std::size_t shortest,
     (bytes_.first(end), distances_, begin, shortest, equal_, steps);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal
 #endif

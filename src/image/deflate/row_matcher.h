@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// A set of a block's bytes, a bit each.
 struct ByteSet {
@@ -55,4 +55,4 @@ class RowMatcher {
     EqualSets equal_;  ///< of the block at hand; empty beyond the distances there are
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

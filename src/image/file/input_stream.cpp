@@ -6,7 +6,7 @@
 #include <cstring>
 #include <fstream>
 
-namespace specbake {
+namespace specbake::internal {
 
 bool beginsWith(const std::string& path, const std::string& signature) {
     std::string first(signature.size(), '\0');
@@ -21,4 +21,4 @@ InputStream openStream(const std::string& path) {
     return stream;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-namespace specbake {
+namespace specbake::internal {
 
 struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
@@ -19,4 +19,4 @@ bool beginsWith(const std::string& path, const std::string& signature);
 /// Throws FileError.
 InputStream openStream(const std::string& path);
 
-}  // namespace specbake
+}  // namespace specbake::internal

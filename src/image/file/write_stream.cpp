@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace specbake {
+namespace specbake::internal {
 
 WriteStream::WriteStream(const std::filesystem::path& path)
     : file_(open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
@@ -45,4 +45,4 @@ std::string WriteStream::error() const {
     return error_ == 0 ? "" : std::generic_category().message(error_);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

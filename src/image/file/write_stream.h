@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// Writes into a file that exists and is empty. It is not truncated once more: ext4 would take that
 /// for a file being replaced, and wait at its end until the disk has made room for all of it.
@@ -33,4 +33,4 @@ class WriteStream {
     int error_ = 0;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 void ignoreMessage(exr_const_context_t /*context*/, exr_result_t /*code*/, const char* /*text*/) {}
@@ -156,4 +156,4 @@ void ExrContext::finish() {
     if (!stream_.close()) check(EXR_ERR_WRITE_IO);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

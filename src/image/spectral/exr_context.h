@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// An OpenEXRCore file being written: one part, its header written by the constructor.
 class ExrContext {
@@ -47,4 +47,4 @@ class ExrContext {
     exr_context_t context_ = nullptr;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

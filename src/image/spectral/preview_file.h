@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// What stands behind a PreviewWriter: see there for what the functions do.
 class PreviewFile {
@@ -16,4 +16,4 @@ class PreviewFile {
     virtual void commit() = 0;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

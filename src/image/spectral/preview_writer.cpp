@@ -4,6 +4,8 @@
 
 namespace specbake {
 
+using namespace internal;
+
 PreviewWriter::PreviewWriter(const std::filesystem::path& path, const SpectralHeader& like)
     : file_(openImageIOParts(path.string()).createPreview(path, like)) {}
 

@@ -1,5 +1,6 @@
 #include <specbake/image/spectral_layout.h>
 
+#include <array>
 #include <charconv>
 #include <string>
 
@@ -20,6 +21,26 @@ std::optional<double> bandWavelength(std::string_view channelName) {
     const auto result = std::from_chars(number.data(), end, value, std::chars_format::fixed);
     if (result.ec != std::errc() || result.ptr != end || !(value > 0)) return {};
     return value;
+}
+
+std::span<const Compression> compressions() {
+    static constexpr std::array all = {Compression::zip, Compression::zips, Compression::piz,
+                                       Compression::none};
+    return all;
+}
+
+std::string_view compressionName(Compression compression) {
+    switch (compression) {
+        case Compression::zip:
+            return "zip";
+        case Compression::zips:
+            return "zips";
+        case Compression::piz:
+            return "piz";
+        case Compression::none:
+            break;
+    }
+    return "none";
 }
 
 std::vector<std::string> channelNames(bool alpha) {

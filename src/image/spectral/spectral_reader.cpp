@@ -8,6 +8,9 @@
 #include <cmath>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
 constexpr int kMissing = -1;
@@ -37,9 +40,9 @@ std::array<int, kBandCount> bandChannels(const std::string& path,
 }  // namespace
 
 struct SpectralReader::Implementation {
-    Implementation(const std::string& name, int threads)
+    Implementation(const std::string& name)
         : path(name),
-          file(openImageFile(path, threads)),
+          file(openImageFile(path)),
           channels(bandChannels(path, file->description().channels)) {
         const ImageDescription& d = file->description();
         header.data = d.data;
@@ -55,8 +58,8 @@ struct SpectralReader::Implementation {
     std::vector<float> texels;
 };
 
-SpectralReader::SpectralReader(const std::string& path, int threads)
-    : implementation_(std::make_unique<Implementation>(path, threads)) {}
+SpectralReader::SpectralReader(const std::string& path)
+    : implementation_(std::make_unique<Implementation>(path)) {}
 SpectralReader::~SpectralReader() = default;
 
 const SpectralHeader& SpectralReader::header() const {
@@ -81,8 +84,7 @@ void SpectralReader::readRows(int first, int count, std::span<float> samples,
         throw ArgumentError("a buffer too small for its rows");
     }
     i.texels.resize(texels * channels);
-    i.file->readRows(first, count, SampleType::float32,
-                     std::as_writable_bytes(std::span(i.texels)));
+    i.file->readRows(first, count, TexelType::float32, std::as_writable_bytes(std::span(i.texels)));
     for (std::size_t t = 0; t < texels; ++t) {
         for (std::size_t band = 0; band < kBandCount; ++band) {
             samples[t * kBandCount + band] = i.texels[t * channels + std::size_t(i.channels[band])];

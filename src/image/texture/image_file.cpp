@@ -7,25 +7,25 @@
 
 #include <specbake/core/error.h>
 
-namespace specbake {
+namespace specbake::internal {
 
-void ImageFile::readRows(int first, int count, SampleType type, std::span<std::byte> samples) {
+void ImageFile::readRows(int first, int count, TexelType type, std::span<std::byte> samples) {
     if (samples.size() < rowBytes(type) * std::size_t(count)) {
         throw ArgumentError("a buffer too small for its rows");
     }
     unpackRows(first, count, type, samples);
 }
 
-std::size_t ImageFile::rowBytes(SampleType type) const {
+std::size_t ImageFile::rowBytes(TexelType type) const {
     return std::size_t(description_.data.width) * description_.channels.size() *
            bytesPerSample(type);
 }
 
-std::unique_ptr<ImageFile> openImageFile(const std::string& path, int threads) {
+std::unique_ptr<ImageFile> openImageFile(const std::string& path) {
     if (auto png = openPlainPng(path)) return png;
     if (auto jpeg = openPlainJpeg(path)) return jpeg;
     if (auto exr = openPlainExr(path)) return exr;
-    return openImageIOParts(path).openImage(path, threads);
+    return openImageIOParts(path).openImage(path);
 }
 
 void checkSides(const std::string& path, long long width, long long height) {
@@ -35,4 +35,4 @@ void checkSides(const std::string& path, long long width, long long height) {
     }
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -10,17 +10,17 @@
 #include <string>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// The first subimage and mip level of a file, in the types of no library that reads files.
 struct ImageDescription {
     Window data;     ///< where there are pixels
     Window display;  ///< what is meant to be seen
     float pixelAspectRatio = 1;
-    std::vector<std::string> channels;          ///< names, in the order of a pixel's samples
-    std::optional<int> alpha;                   ///< the index of the alpha channel
-    bool associatedAlpha = false;               ///< colour is multiplied by alpha
-    SampleType sampleType = SampleType::uint8;  ///< as stored, or the next larger that is offered
+    std::vector<std::string> channels;        ///< names, in the order of a pixel's samples
+    std::optional<int> alpha;                 ///< the index of the alpha channel
+    bool associatedAlpha = false;             ///< colour is multiplied by alpha
+    TexelType sampleType = TexelType::uint8;  ///< as stored, or the next larger that is offered
     std::optional<std::array<float, 8>> chromaticities;  ///< x, y of red, green, blue, white
     Attributes attributes;                               ///< metadata worth keeping
     std::vector<std::string> notes;  ///< one line each on what of the file is not used
@@ -42,26 +42,24 @@ class ImageFile {
     /// Rows [first, first + count) of the data window, counted from 0, channels interleaved, as
     /// samples of the given type: the file's own, or float32. Throws FileError; ArgumentError for
     /// a buffer too small.
-    void readRows(int first, int count, SampleType type, std::span<std::byte> samples);
+    void readRows(int first, int count, TexelType type, std::span<std::byte> samples);
 
   protected:
     /// Of one row, as samples of that type.
-    std::size_t rowBytes(SampleType type) const;
+    std::size_t rowBytes(TexelType type) const;
 
   private:
     /// What readRows() promises, for a buffer of at least the size.
-    virtual void unpackRows(int first, int count, SampleType type,
-                            std::span<std::byte> samples) = 0;
+    virtual void unpackRows(int first, int count, TexelType type, std::span<std::byte> samples) = 0;
 
     ImageDescription description_;
 };
 
 /// Opens a file with the lightest reader that knows all that is in it; OpenImageIO is the last.
-/// Throws FileError if it cannot be opened or is no image of bounded size. `threads` unpack the
-/// rows of an EXR that OpenImageIO reads; they are those of the process: the last file decides.
-std::unique_ptr<ImageFile> openImageFile(const std::string& path, int threads);
+/// Throws FileError if it cannot be opened or is no image of bounded size.
+std::unique_ptr<ImageFile> openImageFile(const std::string& path);
 
 /// Throws FileError for sides of no or of more than kLargestSide pixels.
 void checkSides(const std::string& path, long long width, long long height);
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// Prefixes and names of what belongs to the old file alone.
@@ -37,4 +37,4 @@ bool isKeptMetadata(std::string_view name) {
     return !isStorage(name) && name.size() <= longestName;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// An image that its library reads from the top only: asked for a row above, it begins anew. A
 /// Decoder is made from a path, stands before the first row, and has
@@ -33,7 +33,7 @@ class SequentialFile : public ImageFile {
     }
 
   private:
-    void unpackRows(int first, int count, SampleType type, std::span<std::byte> samples) override {
+    void unpackRows(int first, int count, TexelType type, std::span<std::byte> samples) override {
         if (type != description().sampleType) throw ArgumentError("samples of another type");
         if (first < nextRow_) {
             decoder_ = std::make_unique<Decoder>(path_);
@@ -51,4 +51,4 @@ class SequentialFile : public ImageFile {
     int nextRow_ = 0;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

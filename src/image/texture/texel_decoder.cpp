@@ -1,5 +1,5 @@
 #include <specbake/core/error.h>
-#include <specbake/image/texture_reader.h>
+#include <specbake/image/texel_decoder.h>
 
 #include <Imath/half.h>
 
@@ -16,16 +16,12 @@ Stored load(const std::byte* at) {
     return value;
 }
 
-double decoded(double encoded, Transfer transfer) {
-    return transfer == Transfer::sRGB ? linearFromSRGB(encoded) : encoded;
-}
-
-std::vector<float> linearTable(SampleType type, Transfer transfer) {
-    const bool integer = type == SampleType::uint8 || type == SampleType::uint16;
-    const std::size_t size = integer ? (type == SampleType::uint8 ? 256 : 65536) : 0;
+std::vector<float> linearTable(TexelType type, Transfer transfer) {
+    const bool integer = type == TexelType::uint8 || type == TexelType::uint16;
+    const std::size_t size = integer ? (type == TexelType::uint8 ? 256 : 65536) : 0;
     std::vector<float> table(size);
     for (std::size_t i = 0; i < size; ++i) {
-        table[i] = float(decoded(double(i) / double(size - 1), transfer));
+        table[i] = float(linearFrom(double(i) / double(size - 1), transfer));
     }
     return table;
 }
@@ -47,20 +43,20 @@ TexelDecoder::TexelDecoder(const TextureInfo& info, const ColorSpace& space)
 /// A stored sample as a number, integers as a share of their largest.
 float TexelDecoder::sample(const std::byte* at) const {
     switch (type_) {
-        case SampleType::uint8:
+        case TexelType::uint8:
             return float(load<std::uint8_t>(at)) / 255.0F;
-        case SampleType::uint16:
+        case TexelType::uint16:
             return float(load<std::uint16_t>(at)) / 65535.0F;
-        case SampleType::half:
+        case TexelType::half:
             return float(load<Imath::half>(at));
-        case SampleType::float32:
+        case TexelType::float32:
             break;
     }
     return load<float>(at);
 }
 
 float TexelDecoder::linear(float encoded) const {
-    return transfer_ == Transfer::linear ? encoded : float(decoded(double(encoded), transfer_));
+    return transfer_ == Transfer::linear ? encoded : float(linearFrom(double(encoded), transfer_));
 }
 
 void TexelDecoder::decode(std::span<const std::byte> samples, std::size_t count,
@@ -77,9 +73,9 @@ void TexelDecoder::decode(std::span<const std::byte> samples, std::size_t count,
             const std::byte* at = texel + (first + c * step) * width;
             if (divide) {
                 color[i][c] = linear(sample(at) / opacity);
-            } else if (type_ == SampleType::uint8) {
+            } else if (type_ == TexelType::uint8) {
                 color[i][c] = linearOf_[load<std::uint8_t>(at)];
-            } else if (type_ == SampleType::uint16) {
+            } else if (type_ == TexelType::uint16) {
                 color[i][c] = linearOf_[load<std::uint16_t>(at)];
             } else {
                 color[i][c] = linear(sample(at));

@@ -4,6 +4,9 @@
 #include <specbake/image/texture_reader.h>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
 bool isXYZ(const ImageDescription& image) {
@@ -13,8 +16,8 @@ bool isXYZ(const ImageDescription& image) {
 
 ColorSpace automaticSpace(const ImageDescription& image) {
     if (isXYZ(image)) return *findColorSpace("xyz");
-    const SampleType type = image.sampleType;
-    if (type == SampleType::uint8 || type == SampleType::uint16) return *findColorSpace("srgb");
+    const TexelType type = image.sampleType;
+    if (type == TexelType::uint8 || type == TexelType::uint16) return *findColorSpace("srgb");
     if (image.chromaticities) {
         const auto& c = *image.chromaticities;
         const auto at = [&](std::size_t i) { return Chromaticity{double(c[i]), double(c[i + 1])}; };
@@ -54,18 +57,18 @@ TextureInfo infoOf(const std::string& path, const ImageDescription& image) {
 
 }  // namespace
 
+Texture::~Texture() = default;
+
 struct TextureReader::Implementation {
-    Implementation(const std::string& path, int threads)
-        : file(openImageFile(path, threads)), info(infoOf(path, file->description())) {}
+    explicit Implementation(const std::string& path)
+        : file(openImageFile(path)), info(infoOf(path, file->description())) {}
     std::unique_ptr<ImageFile> file;
     TextureInfo info;
 };
 
-TextureReader::TextureReader(const std::string& path, int threads)
-    : implementation_(std::make_unique<Implementation>(path, threads)) {}
+TextureReader::TextureReader(const std::string& path)
+    : implementation_(std::make_unique<Implementation>(path)) {}
 TextureReader::~TextureReader() = default;
-TextureReader::TextureReader(TextureReader&&) noexcept = default;
-TextureReader& TextureReader::operator=(TextureReader&&) noexcept = default;
 
 const TextureInfo& TextureReader::info() const {
     return implementation_->info;

@@ -12,6 +12,7 @@
 #include <vector>
 
 using namespace specbake;
+using namespace specbake::internal;
 
 namespace {
 
@@ -21,7 +22,7 @@ class Scene {
     explicit Scene(unsigned seed) : random_(seed), nodes_(40) {
         std::uniform_real_distribution<float> value(-0.2F, 1.2F);
         for (NodeValues& node : nodes_) {
-            for (std::size_t p = 0; p < kNodeValues; ++p) node.value[p] = value(random_);
+            for (std::size_t p = 0; p < kTexelSamples; ++p) node.value[p] = value(random_);
         }
     }
 
@@ -66,11 +67,11 @@ class Planes {
         : texels_(texels),
           begin_(offset * sizeof(Sample)),
           stride_((texels + gap) * sizeof(Sample)),
-          bytes_(begin_ + stride_ * kNodeValues + 64, kUntouched) {}
+          bytes_(begin_ + stride_ * kTexelSamples + 64, kUntouched) {}
 
     void blend(std::span<const Mix> mixes) {
-        constexpr auto type = sizeof(Sample) == 2 ? BlendType::half : BlendType::float32;
-        specbake::blend(mixes, type, bytes_.data() + begin_, stride_);
+        constexpr auto type = sizeof(Sample) == 2 ? SampleType::half : SampleType::float32;
+        specbake::internal::blend(mixes, type, bytes_.data() + begin_, stride_);
     }
     Sample at(std::size_t plane, std::size_t texel) const {
         Sample sample;
@@ -82,10 +83,10 @@ class Planes {
             return std::all_of(from, to, [](std::byte b) { return b == kUntouched; });
         };
         bool all = untouched(bytes_.data(), address(0));
-        for (std::size_t p = 0; p < kNodeValues; ++p) {
+        for (std::size_t p = 0; p < kTexelSamples; ++p) {
             all = all && untouched(address(p) + texels_ * sizeof(Sample), address(p + 1));
         }
-        return all && untouched(address(kNodeValues), bytes_.data() + bytes_.size());
+        return all && untouched(address(kTexelSamples), bytes_.data() + bytes_.size());
     }
 
   private:
@@ -97,7 +98,7 @@ class Planes {
 };
 
 double clampedTo(std::size_t plane, double value) {
-    return plane < kPreviewValues ? std::max(value, 0.0) : std::clamp(value, 0.0, 1.0);
+    return plane < kPreviewSamples ? std::max(value, 0.0) : std::clamp(value, 0.0, 1.0);
 }
 
 /// How far a blended sample is from the exact one, in units of the bound on four products and three
@@ -126,7 +127,7 @@ TEST_CASE("blended samples are those of double precision, to rounding, whatever 
             Planes<float> planes(texels, texels % 19, texels % 5);
             planes.blend(mixes);
             CHECK(planes.gapsAreUntouched());
-            for (std::size_t p = 0; p < kNodeValues; ++p) {
+            for (std::size_t p = 0; p < kTexelSamples; ++p) {
                 for (std::size_t i = 0; i < texels; ++i) {
                     worst = std::max(worst, errorInBounds(mixes[i], p, planes.at(p, i)));
                 }
@@ -147,7 +148,7 @@ TEST_CASE("half samples are the float samples, rounded to nearest even") {
             floats.blend(mixes);
             halves.blend(mixes);
             CHECK(halves.gapsAreUntouched());
-            for (std::size_t p = 0; p < kNodeValues; ++p) {
+            for (std::size_t p = 0; p < kTexelSamples; ++p) {
                 for (std::size_t i = 0; i < texels; ++i) {
                     const Imath::half expected = floats.at(p, i);
                     differences += expected.bits() != halves.at(p, i).bits();
@@ -192,7 +193,7 @@ TEST_CASE("a texel's samples do not depend on its neighbours or on its place in 
             for (std::size_t i = 0; i < mixes.size(); ++i) {
                 Planes<float> alone(1, 0, 0);
                 alone.blend(std::span(mixes).subspan(i, 1));
-                for (std::size_t p = 0; p < kNodeValues; ++p) {
+                for (std::size_t p = 0; p < kTexelSamples; ++p) {
                     differences += row.at(p, i) != alone.at(p, 0);
                 }
             }
@@ -204,11 +205,11 @@ TEST_CASE("a texel's samples do not depend on its neighbours or on its place in 
 TEST_CASE("a spectrum alone is kept, clamped: bands to [0, 1], previews to what is not negative") {
     onEachTarget([] {
         NodeValues node;
-        for (std::size_t p = 0; p < kNodeValues; ++p) node.value[p] = float(p % 5) - 2.0F;
+        for (std::size_t p = 0; p < kTexelSamples; ++p) node.value[p] = float(p % 5) - 2.0F;
         const std::vector<Mix> mixes(70, only(node.value.data()));
         Planes<float> planes(mixes.size(), 0, 0);
         planes.blend(mixes);
-        for (std::size_t p = 0; p < kNodeValues; ++p) {
+        for (std::size_t p = 0; p < kTexelSamples; ++p) {
             CHECK(double(planes.at(p, 69)) == clampedTo(p, double(node.value[p])));
             CHECK(!std::signbit(planes.at(p, 0)));
         }

@@ -9,6 +9,7 @@
 #include <vector>
 
 using namespace specbake;
+using namespace specbake::internal;
 
 namespace {
 

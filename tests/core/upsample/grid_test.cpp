@@ -9,6 +9,7 @@
 #include <random>
 
 using namespace specbake;
+using namespace specbake::internal;
 
 namespace {
 

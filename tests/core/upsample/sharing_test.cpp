@@ -1,5 +1,4 @@
-#include "support/lookup_stand.h"
-
+#include <specbake/core/upsampler.h>
 #include <specbake/image/spectral_writer.h>
 
 #include <doctest/doctest.h>
@@ -14,7 +13,6 @@
 #include <thread>
 
 using namespace specbake;
-using specbake::testing::LookupStand;
 
 namespace {
 
@@ -25,17 +23,16 @@ void onThreads(int count, const Work& work) {
     for (int i = 0; i < count; ++i) threads.emplace_back([&work, i] { work(i); });
 }
 
-using Color = SpectrumLookup::Color;
-using Samples = std::array<float, kNodeValues>;
+using Color = Upsampler::Color;
 
-Samples samplesOf(LookupStand& stand, const Color& color) {
-    SpectrumLookup::Scratch scratch;
-    TexelCensus census;
-    const Mix mix = stand.mixOf(color, scratch, census);
-    Samples samples;
-    blend({&mix, 1}, BlendType::float32, reinterpret_cast<std::byte*>(samples.data()),
-          sizeof(float));
-    return samples;
+UpsamplerOptions fiveNodes() {
+    UpsamplerOptions options;
+    options.grid = 5;
+    return options;
+}
+
+std::vector<float> samplesOf(const Upsampler& upsampler, const Color& color) {
+    return upsampler.sample({&color, 1}, SampleSelection::channels());
 }
 
 /// Of few colours, so that threads meet at the same nodes and the same slots of the cache: in the
@@ -58,15 +55,15 @@ std::vector<std::byte> someSamples(std::size_t count, int seed) {
 
 }  // namespace
 
-TEST_CASE("threads that share a lookup find what one alone finds") {
+TEST_CASE("threads that share a model find what one alone finds") {
     for (const char* name : {"lin_rec709", "acescg"}) {
         const std::vector<Color> all = colors();
-        std::vector<Samples> expected;
+        std::vector<std::vector<float>> expected;
         {
-            LookupStand alone(name, 5);
+            const Upsampler alone(*findColorSpace(name), fiveNodes());
             for (const Color& color : all) expected.push_back(samplesOf(alone, color));
         }
-        LookupStand shared(name, 5);
+        const Upsampler shared(*findColorSpace(name), fiveNodes());
         std::atomic<int> differences = 0;
         onThreads(6, [&](int thread) {
             std::vector<std::size_t> order(all.size());

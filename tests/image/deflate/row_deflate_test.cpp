@@ -14,6 +14,7 @@
 #include <vector>
 
 using namespace specbake;
+using namespace specbake::internal;
 
 namespace {
 

@@ -85,7 +85,7 @@ TEST_CASE("the colour space and its light are those that the file names") {
                std::string(spec.get_string_attribute("specbake:illuminant"));
     };
     BakeOptions lamp;
-    lamp.illuminant = "A";
+    lamp.model.illuminant = "A";
     BakeOptions linear;
     linear.space = "lin_rec709";
     CHECK(names("rgb8.png") == "srgb D65");

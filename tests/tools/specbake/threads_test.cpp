@@ -1,9 +1,5 @@
 #include "process.h"
 
-#include <specbake/bake/bake.h>
-#include <specbake/bake/verify.h>
-
-#include <OpenImageIO/imageio.h>
 #include <doctest/doctest.h>
 
 using namespace specbake;
@@ -47,19 +43,6 @@ TEST_CASE("bytes do not depend on threads or on the run") {
     CHECK(one == baked("demo.png", "zip", "1"));
     CHECK(one == baked("demo.png", "zip", "2"));
     CHECK(one == baked("demo.png", "zip", "0"));
-}
-
-TEST_CASE("one thread means that the libraries beneath start none either") {
-    // Of those, OpenEXR alone has threads that it starts without being asked.
-    const Scratch scratch;
-    BakeOptions options;
-    options.threads = 1;
-    bake(testImage("tiled_offset.exr"), scratch.path("o.exr"), options);
-    CHECK(OIIO::get_int_attribute("exr_threads") == -1);
-    verify(scratch.path("o.exr"), testImage("tiled_offset.exr"), {{}, {}, 2});
-    CHECK(OIIO::get_int_attribute("exr_threads") == 2);
-    verify(scratch.path("o.exr"), testImage("tiled_offset.exr"), {{}, {}, 1});
-    CHECK(OIIO::get_int_attribute("exr_threads") == -1);
 }
 
 TEST_SUITE_END();

@@ -5,7 +5,7 @@ namespace specbake::bench {
 Frame frameOf(const ColorSpace& space) {
     Observer observer(space.illuminant);
     const Imath::M33d matrix = xyzFromRGB(space, observer.white());
-    return {space.name + " under " + space.illuminant, std::move(observer), matrix,
+    return {space.name + " under " + space.illuminant, space, std::move(observer), matrix,
             matrix.inverse()};
 }
 

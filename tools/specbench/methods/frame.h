@@ -13,6 +13,7 @@ namespace specbake::bench {
 /// the perfect reflector under it.
 struct Frame {
     std::string name;
+    ColorSpace space;
     Observer observer;
     Imath::M33d xyzFromRGB;  ///< XYZ(rgb * xyzFromRGB)
     Imath::M33d rgbFromXYZ;

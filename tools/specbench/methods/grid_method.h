@@ -1,19 +1,16 @@
 #pragma once
 
 #include "method.h"
-#include "upsample/grid.h"
 
-#include <specbake/core/solver.h>
+#include <specbake/core/upsampler.h>
 
-#include <array>
 #include <memory>
-#include <vector>
+#include <optional>
 
 namespace specbake::bench {
 
-/// A solver of specbake through the lookup grid over the frame's RGB cube (grid.h): all nodes
-/// solved and stored as floats, a texel is the blend of four of them. Colours outside the cube are
-/// solved directly, as specbake does.
+/// A solver of specbake through the lookup grid over the frame's RGB cube, as the library ships it
+/// (upsampler.h), with all nodes solved beforehand.
 ///
 /// | quantity | domain    | scale                                        |
 /// |----------|-----------|----------------------------------------------|
@@ -21,7 +18,7 @@ namespace specbake::bench {
 /// | spectrum | as solver | floats: exact to 24 bits                     |
 class GridMethod : public Method {
   public:
-    /// `solvers` names the family; nodes an axis as Grid takes them.
+    /// `solver` names the family; nodes an axis as UpsamplerOptions takes them.
     GridMethod(MethodName solver, Frame frame, std::shared_ptr<const Solver> direct, int nodes);
 
     void setUp() override;
@@ -31,20 +28,13 @@ class GridMethod : public Method {
                            std::span<float> spectra) const override;
 
     /// Memory of all nodes.
-    std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
-    /// Nodes that the solver could not solve; 0 before setUp().
-    int failedNodes() const { return failedNodes_; }
+    std::size_t bytes() const;
 
   private:
-    struct alignas(64) Node {
-        std::array<float, 96> value{};  ///< kBandCount of them, up to whole cache lines
-    };
-    XYZ nodeColor(std::uint32_t node) const;
-
     std::shared_ptr<const Solver> solver_;
-    Grid grid_;
-    std::vector<Node> nodes_;
-    int failedNodes_ = 0;
+    int nodes_;
+    std::optional<Upsampler> upsampler_;
+    SampleSelection bands_ = SampleSelection::bands();
 };
 
 }  // namespace specbake::bench

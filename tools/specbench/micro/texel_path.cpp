@@ -2,10 +2,7 @@
 /// and the product with three fixed spectra (three multiply-adds a sample). Items are texels. Runs
 /// are interleaved and repeated, since what else runs on the machine changes them all: speed.py
 /// takes the medians' ratios.
-#include "upsample/blend.h"
-#include "upsample/lookup.h"
-
-#include <specbake/core/smooth.h>
+#include <specbake/core/upsampler.h>
 
 #include <benchmark/benchmark.h>
 
@@ -18,11 +15,11 @@
 namespace specbake {
 namespace {
 
-using Color = std::array<float, 3>;
+using Color = Upsampler::Color;
 
 constexpr std::size_t kWidth = 2048;
 constexpr std::size_t kRows = 128;  ///< more samples than caches hold
-constexpr std::size_t kSamples = kRows * kWidth * kNodeValues;
+constexpr std::size_t kSamples = kRows * kWidth * kTexelSamples;
 
 enum class Colors { random, coherent };
 
@@ -75,7 +72,7 @@ void memsetPlanes(benchmark::State& state, std::size_t sampleBytes) {
 void threePrimaries(benchmark::State& state, Colors kind) {
     const std::vector<Color> colors = makeColors(kind);
     Planes planes(kSamples * sizeof(float));
-    std::array<std::array<float, kNodeValues>, 3> basis;
+    std::array<std::array<float, kTexelSamples>, 3> basis;
     for (auto& b : basis) b.fill(0.3F);
     std::vector<float> red(kWidth), green(kWidth), blue(kWidth);
     for (auto _ : state) {
@@ -85,7 +82,7 @@ void threePrimaries(benchmark::State& state, Colors kind) {
                 const Color& color = colors[y * kWidth + x];
                 red[x] = color[0], green[x] = color[1], blue[x] = color[2];
             }
-            for (std::size_t p = 0; p < kNodeValues; ++p, out += kWidth) {
+            for (std::size_t p = 0; p < kTexelSamples; ++p, out += kWidth) {
                 for (std::size_t x = 0; x < kWidth; ++x) {
                     out[x] = basis[0][p] * red[x] + basis[1][p] * green[x] + basis[2][p] * blue[x];
                 }
@@ -96,58 +93,29 @@ void threePrimaries(benchmark::State& state, Colors kind) {
     countTexels(state);
 }
 
-/// The lookup of sRGB textures with its nodes solved.
-class Path {
-  public:
-    Path()
-        : observer_("D65"),
-          solid_(observer_),
-          solver_(observer_),
-          resolver_(solid_, solver_, Outside::nearest),
-          lookup_(17, {matrix(), matrix()}, resolver_) {
-        const std::vector<Color> all = makeColors(Colors::random);
-        std::vector<Mix> mixes(all.size());
-        locate(all, mixes);
-    }
-    void locate(std::span<const Color> colors, std::span<Mix> mixes) {
-        SpectrumLookup::Scratch scratch;
-        TexelCensus census;
-        lookup_.locate(colors, 0, mixes, scratch, census);
-    }
-
-  private:
-    Imath::M33d matrix() const {
-        return xyzFromRGB(*findColorSpace("lin_rec709"), observer_.white());
-    }
-    Observer observer_;
-    Solid solid_;
-    SmoothSolver solver_;
-    ColorResolver resolver_;
-    SpectrumLookup lookup_;
-};
-
-void texelPath(benchmark::State& state, Colors kind, BlendType type) {
-    const std::vector<Color> colors = makeColors(kind);
-    const std::size_t stride = kWidth * (type == BlendType::half ? 2 : 4);
-    Planes planes(kRows * kNodeValues * stride);
-    Path path;
-    std::vector<Mix> mixes(kWidth);
-    for (auto _ : state) {
-        for (std::size_t y = 0; y < kRows; ++y) {
-            path.locate(std::span(colors).subspan(y * kWidth, kWidth), mixes);
-            blend(mixes, type, planes.data() + y * kNodeValues * stride, stride);
-        }
-        benchmark::ClobberMemory();
-    }
-    countTexels(state);
+/// The model of sRGB textures with its nodes solved.
+const Upsampler& upsampler() {
+    static const Upsampler made = [] {
+        Upsampler solved(*findColorSpace("lin_rec709"));
+        solved.solveNodes();
+        return solved;
+    }();
+    return made;
 }
 
-void locateOnly(benchmark::State& state, Colors kind) {
+void texelPath(benchmark::State& state, Colors kind, SampleType type) {
     const std::vector<Color> colors = makeColors(kind);
-    Path path;
-    std::vector<Mix> mixes(colors.size());
+    const std::size_t stride = kWidth * bytesPerSample(type);
+    Planes planes(kRows * kTexelSamples * stride);
+    const SampleSelection channels = SampleSelection::channels();
+    Upsampler::Workspace workspace;
     for (auto _ : state) {
-        path.locate(colors, mixes);
+        for (std::size_t y = 0; y < kRows; ++y) {
+            const auto target =
+                SampleTarget::planar(type, planes.data() + y * kTexelSamples * stride, stride);
+            benchmark::DoNotOptimize(upsampler().sample(
+                std::span(colors).subspan(y * kWidth, kWidth), channels, target, workspace));
+        }
         benchmark::ClobberMemory();
     }
     countTexels(state);
@@ -156,12 +124,10 @@ void locateOnly(benchmark::State& state, Colors kind) {
 BENCHMARK_CAPTURE(memsetPlanes, float, sizeof(float));
 BENCHMARK_CAPTURE(memsetPlanes, half, std::size_t(2));
 BENCHMARK_CAPTURE(threePrimaries, float, Colors::random);
-BENCHMARK_CAPTURE(texelPath, random_float, Colors::random, BlendType::float32);
-BENCHMARK_CAPTURE(texelPath, coherent_float, Colors::coherent, BlendType::float32);
-BENCHMARK_CAPTURE(texelPath, random_half, Colors::random, BlendType::half);
-BENCHMARK_CAPTURE(texelPath, coherent_half, Colors::coherent, BlendType::half);
-BENCHMARK_CAPTURE(locateOnly, random, Colors::random);
-BENCHMARK_CAPTURE(locateOnly, coherent, Colors::coherent);
+BENCHMARK_CAPTURE(texelPath, random_float, Colors::random, SampleType::float32);
+BENCHMARK_CAPTURE(texelPath, coherent_float, Colors::coherent, SampleType::float32);
+BENCHMARK_CAPTURE(texelPath, random_half, Colors::random, SampleType::half);
+BENCHMARK_CAPTURE(texelPath, coherent_half, Colors::coherent, SampleType::half);
 
 int run(int argc, char** argv) {
     std::vector<std::string> arguments = {argv[0], "--benchmark_enable_random_interleaving=true",

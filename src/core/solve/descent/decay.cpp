@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// At most four times in ascending order, the ends of monotone pieces.
@@ -124,4 +124,4 @@ std::optional<Exit> firstExit(const Decay& decay, double end) {
     return std::nullopt;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// One component of the closed form (19), a sum of three decaying exponentials:
 ///
@@ -31,4 +31,4 @@ struct Exit {
 /// within a piece exactly if it is outside at the piece's end.
 std::optional<Exit> firstExit(const Decay& decay, double end);
 
-}  // namespace specbake
+}  // namespace specbake::internal

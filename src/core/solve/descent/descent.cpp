@@ -4,12 +4,16 @@
 
 #include <specbake/core/descent.h>
 #include <specbake/core/error.h>
+#include <specbake/core/vector.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
 /// The share of the residual that a release has to have gained for another one: colours outside
@@ -27,13 +31,14 @@ class Descent {
 
     template <class Path>
     Solution run() {
-        while (!(largest(residual_) <= options_.tolerance) && (advance<Path>() || release())) {
+        while (!(largestComponent(residual_) <= options_.tolerance) &&
+               (advance<Path>() || release())) {
             ++segments_;
         }
         SolveReport report;
         report.iterations = segments_;
         report.hits = int(s_.size() - free_.size());
-        report.residual = largest(residual_);
+        report.residual = largestComponent(residual_);
         if (report.residual <= options_.tolerance) {
             report.status = SolveReport::Status::solved;
             report.residual = polish(observer_, color_, s_);
@@ -55,9 +60,9 @@ class Descent {
             s_[hit->band] = hit->bound;
             free_.removeIf([&](std::size_t m) { return m == hit->band; });
         }
-        const double before = largest(residual_);
+        const double before = largestComponent(residual_);
         residual_ = observer_.color(s_) - color_;
-        return hit || largest(residual_) <= before / 2;
+        return hit || largestComponent(residual_) <= before / 2;
     }
 
     /// The paper gives up below three components. Fewer may still do where others can be freed.

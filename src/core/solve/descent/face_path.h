@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// Where a path meets the boundary of the box.
 struct Hit {
@@ -71,4 +71,4 @@ class StraightPath {
     Imath::V3d direction_;  ///< G^-1 r(0)
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

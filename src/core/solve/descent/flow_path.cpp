@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace specbake {
+namespace specbake::internal {
+
 namespace {
 
 /// A bound on the decay over [0, end] that needs no root: each term is monotone, so it moves
@@ -74,4 +75,4 @@ std::optional<Hit> FlowPath::firstHit() const {
     return first;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

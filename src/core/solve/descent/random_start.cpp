@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// SplitMix64: G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number
@@ -47,4 +47,4 @@ Spectrum randomStart(const XYZ& color, int number) {
     return s;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -1,6 +1,6 @@
 #include "solve/descent/face_path.h"
 
-namespace specbake {
+namespace specbake::internal {
 
 StraightPath::StraightPath(const Weights& weights, const FreeSet& free, const Spectrum& start,
                            const Imath::V3d& residual)
@@ -26,4 +26,4 @@ std::optional<Hit> StraightPath::firstHit() const {
     return first;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// What goes into the encoder and comes out of it.
@@ -91,4 +91,4 @@ void PizPacker::pack(const ChunkGrid& level, int chunk, std::vector<std::byte>& 
     idle_.push_back(std::move(encoder));
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

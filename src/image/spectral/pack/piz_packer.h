@@ -7,7 +7,7 @@
 #include <mutex>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// OpenEXR's PIZ (wavelet and Huffman), by OpenEXRCore's own encoder.
 class PizPacker {
@@ -33,4 +33,4 @@ class PizPacker {
     std::vector<std::unique_ptr<Encoder>> idle_;  ///< kept with their memory, one a thread at most
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -11,7 +11,7 @@
 #include <memory>
 #include <new>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
@@ -46,4 +46,4 @@ void packZip(std::vector<std::byte>& samples, std::size_t rowBytes, int level) {
     samples.resize(shorter ? packed : size);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

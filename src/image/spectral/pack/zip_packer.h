@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// OpenEXR's ZIP: the bytes of the samples split into even and odd ones, each replaced by its
 /// difference to the one before (plus 128), in a zlib container; or the samples as they are where
@@ -14,4 +14,4 @@ namespace specbake {
 /// (row_deflate.h), where they fit its window; 4 to 12, and 1 beyond the window: libdeflate's.
 void packZip(std::vector<std::byte>& samples, std::size_t rowBytes, int level);
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -8,7 +8,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace specbake::HWY_NAMESPACE {
+namespace specbake::internal::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -45,11 +45,11 @@ void predict(std::span<const std::uint8_t> samples, std::uint8_t* predicted) {
 }
 
 }  // namespace
-}  // namespace specbake::HWY_NAMESPACE
+}  // namespace specbake::internal::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace specbake {
+namespace specbake::internal {
 namespace {
 HWY_EXPORT(predict);
 }  // namespace
@@ -67,5 +67,5 @@ void restore(std::span<const std::uint8_t> predicted, std::span<std::uint8_t> sa
     }
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal
 #endif

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// "Reordering and predictor" of the OpenEXR file layout document: the bytes at even places, then
 /// those at odd ones, each as its difference to the one before it, plus 128. The first stays as it
@@ -14,4 +14,4 @@ void splitAndPredict(std::span<const std::uint8_t> samples, std::span<std::uint8
 /// Undoes splitAndPredict().
 void restore(std::span<const std::uint8_t> predicted, std::span<std::uint8_t> samples);
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -4,7 +4,7 @@
 
 #include <dlfcn.h>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// The module is looked for along the program's run path, which the build and the installation
@@ -27,4 +27,4 @@ const OpenImageIOParts& openImageIOParts(const std::string& path) {
     return *parts;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

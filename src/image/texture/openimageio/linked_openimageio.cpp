@@ -2,7 +2,7 @@
 #include "texture/openimageio/openimageio_parts.h"
 #include "texture/openimageio/openimageio_preview.h"
 
-namespace specbake {
+namespace specbake::internal {
 
 const OpenImageIOParts& openImageIOParts(const std::string& /*path*/) {
     static constexpr OpenImageIOParts parts = {openWithOpenImageIO, storageFactsOf,
@@ -10,4 +10,4 @@ const OpenImageIOParts& openImageIOParts(const std::string& /*path*/) {
     return parts;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -2,7 +2,7 @@
 
 #include "texture/kept_metadata.h"
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 bool isVector(const OIIO::TypeDesc& type) {
@@ -33,4 +33,4 @@ Attributes metadataOf(const OIIO::ImageSpec& spec) {
     return kept;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

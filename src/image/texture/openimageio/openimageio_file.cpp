@@ -5,31 +5,31 @@
 
 #include <algorithm>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
-SampleType sampleTypeOf(const OIIO::TypeDesc& format) {
+TexelType sampleTypeOf(const OIIO::TypeDesc& format) {
     switch (format.basetype) {
         case OIIO::TypeDesc::UINT8:
-            return SampleType::uint8;
+            return TexelType::uint8;
         case OIIO::TypeDesc::UINT16:
-            return SampleType::uint16;
+            return TexelType::uint16;
         case OIIO::TypeDesc::HALF:
-            return SampleType::half;
+            return TexelType::half;
         default:
-            return SampleType::float32;
+            return TexelType::float32;
     }
 }
 
-OIIO::TypeDesc descriptionOf(SampleType type) {
+OIIO::TypeDesc descriptionOf(TexelType type) {
     switch (type) {
-        case SampleType::uint8:
+        case TexelType::uint8:
             return OIIO::TypeUInt8;
-        case SampleType::uint16:
+        case TexelType::uint16:
             return OIIO::TypeUInt16;
-        case SampleType::half:
+        case TexelType::half:
             return OIIO::TypeHalf;
-        case SampleType::float32:
+        case TexelType::float32:
             break;
     }
     return OIIO::TypeFloat;
@@ -87,7 +87,7 @@ class OpenImageIOFile : public ImageFile {
     }
 
   private:
-    void unpackRows(int first, int count, SampleType type, std::span<std::byte> samples) override {
+    void unpackRows(int first, int count, TexelType type, std::span<std::byte> samples) override {
         source_->read(first, count, descriptionOf(type), samples);
     }
 
@@ -96,12 +96,12 @@ class OpenImageIOFile : public ImageFile {
 
 }  // namespace
 
-std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path, int threads) {
-    return std::make_unique<OpenImageIOFile>(std::make_unique<RowSource>(path, threads));
+std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path) {
+    return std::make_unique<OpenImageIOFile>(std::make_unique<RowSource>(path));
 }
 
 StorageFacts storageFactsOf(const std::string& path) {
-    RowSource source(path, 1);
+    RowSource source(path);
     const OIIO::ImageSpec& spec = source.spec();
     StorageFacts facts;
     facts.channels = spec.nchannels;
@@ -118,4 +118,4 @@ StorageFacts storageFactsOf(const std::string& path) {
     return facts;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -4,12 +4,12 @@
 
 #include <specbake/image/spectral_reader.h>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// openImageFile() by OpenImageIO alone, whatever the file.
-std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path, int threads);
+std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path);
 
 /// How the file is stored. Throws FileError if it cannot be opened.
 StorageFacts storageFactsOf(const std::string& path);
 
-}  // namespace specbake
+}  // namespace specbake::internal

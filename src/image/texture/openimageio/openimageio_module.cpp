@@ -1,5 +1,5 @@
 #include "texture/openimageio/openimageio_parts.h"
 
-extern "C" const specbake::OpenImageIOParts* specbakeOpenImageIOParts() {
-    return &specbake::openImageIOParts({});
+extern "C" const specbake::internal::OpenImageIOParts* specbakeOpenImageIOParts() {
+    return &specbake::internal::openImageIOParts({});
 }

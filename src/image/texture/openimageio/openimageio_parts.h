@@ -7,13 +7,13 @@
 
 #include <filesystem>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// All that uses OpenImageIO. That library brings hundreds of others with it, a quarter of a
 /// second of loading, so a program may put it off until a file needs it.
 struct OpenImageIOParts {
     /// openWithOpenImageIO().
-    std::unique_ptr<ImageFile> (*openImage)(const std::string& path, int threads);
+    std::unique_ptr<ImageFile> (*openImage)(const std::string& path);
     /// storageFactsOf().
     StorageFacts (*storageFacts)(const std::string& path);
     /// createWithOpenImageIO().
@@ -27,8 +27,8 @@ struct OpenImageIOParts {
 /// the module cannot be loaded.
 const OpenImageIOParts& openImageIOParts(const std::string& path);
 
-}  // namespace specbake
+}  // namespace specbake::internal
 
 /// The same from the module. Module and program are built together, so that C++ types and
 /// exceptions may pass between them.
-extern "C" SPECBAKE_API const specbake::OpenImageIOParts* specbakeOpenImageIOParts();
+extern "C" SPECBAKE_API const specbake::internal::OpenImageIOParts* specbakeOpenImageIOParts();

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 constexpr int kGiven = 4;  ///< channels of a given row
@@ -115,4 +115,4 @@ std::unique_ptr<PreviewFile> createWithOpenImageIO(const std::filesystem::path& 
     return std::make_unique<OpenImageIOPreview>(path, like);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <memory>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// A PreviewWriter's file, in any format that OpenImageIO writes.
 std::unique_ptr<PreviewFile> createWithOpenImageIO(const std::filesystem::path& path,
                                                    const SpectralHeader& like);
 
-}  // namespace specbake
+}  // namespace specbake::internal

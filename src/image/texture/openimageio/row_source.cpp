@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <cstring>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
-std::unique_ptr<OIIO::ImageInput> open(const std::string& path, int threads) {
-    OIIO::attribute("exr_threads", threads > 1 ? threads : -1);  // -1: none but the caller's
+std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
     OIIO::ImageSpec wishes;
     wishes["oiio:UnassociatedAlpha"] = 1;
     auto input = OIIO::ImageInput::open(path, &wishes);
@@ -37,8 +36,7 @@ std::string oneLine(std::string text) {
     return text.empty() ? "cannot be read" : text;
 }
 
-RowSource::RowSource(const std::string& path, int threads)
-    : path_(path), input_(open(path, threads)) {
+RowSource::RowSource(const std::string& path) : path_(path), input_(open(path)) {
     checkSize(path, spec());
 }
 
@@ -82,4 +80,4 @@ void RowSource::readTileRow(int tileRow, const OIIO::TypeDesc& type) {
     tileType_ = type;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

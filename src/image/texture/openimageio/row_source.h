@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// A library's message as one line without an end.
 std::string oneLine(std::string text);
@@ -18,9 +18,8 @@ std::string oneLine(std::string text);
 class RowSource {
   public:
     /// Throws FileError if the file cannot be opened or is no image of bounded size.
-    /// Colour is not multiplied by alpha unless the file holds it so. `threads` unpack the rows of
-    /// an EXR; they are those of the process: the file that is opened last decides for all.
-    RowSource(const std::string& path, int threads);
+    /// Colour is not multiplied by alpha unless the file holds it so.
+    explicit RowSource(const std::string& path);
 
     const OIIO::ImageSpec& spec() const { return input_->spec(); }
     OIIO::ImageInput& input() { return *input_; }
@@ -40,4 +39,4 @@ class RowSource {
     OIIO::TypeDesc tileType_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -9,7 +9,7 @@
 #include <set>
 #include <string_view>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// Takes over what an attribute says; false if that is anything but plain. What the format itself
@@ -110,7 +110,7 @@ bool takeOverChannels(const ExrInput& input, ImageDescription& image) {
     if (alpha != ordered->end()) image.alpha = int(alpha - ordered->begin());
     image.associatedAlpha = image.alpha.has_value();
     image.sampleType =
-        channels[0].pixel_type == EXR_PIXEL_HALF ? SampleType::half : SampleType::float32;
+        channels[0].pixel_type == EXR_PIXEL_HALF ? TexelType::half : TexelType::float32;
     return true;
 }
 
@@ -152,4 +152,4 @@ std::optional<ExrDescription> describePlain(const ExrInput& input) {
     return d;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

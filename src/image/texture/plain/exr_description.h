@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// A plain EXR's header, and its string attributes under OpenImageIO's names.
 struct ExrDescription {
@@ -18,4 +18,4 @@ struct ExrDescription {
 /// Nothing if the file is not plain, as openPlainExr() says. Throws FileError.
 std::optional<ExrDescription> describePlain(const ExrInput& input);
 
-}  // namespace specbake
+}  // namespace specbake::internal

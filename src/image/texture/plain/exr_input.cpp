@@ -5,7 +5,7 @@
 #include <specbake/core/error.h>
 #include <specbake/image/image_types.h>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 void ignoreMessage(exr_const_context_t /*context*/, exr_result_t /*code*/, const char* /*text*/) {}
@@ -33,4 +33,4 @@ void ExrInput::check(exr_result_t result) const {
     }
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

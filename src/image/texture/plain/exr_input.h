@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// An OpenEXRCore file being read.
 class ExrInput {
@@ -27,4 +27,4 @@ class ExrInput {
     std::unique_ptr<_priv_exr_context_t, Finish> context_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// libjpeg leaves a call that went wrong by longjmp, past frames that own nothing.
 template <class Call>
@@ -62,7 +62,7 @@ void JpegDecoder::describe() {
     d.display = d.data;
     d.channels = jpeg_.num_components == 1 ? std::vector<std::string>{"Y"}
                                            : std::vector<std::string>{"R", "G", "B"};
-    d.sampleType = SampleType::uint8;
+    d.sampleType = TexelType::uint8;
     const auto x = float(jpeg_.X_density);
     const auto y = float(jpeg_.Y_density);
     if (x == 0 || y == 0) return;
@@ -97,4 +97,4 @@ void JpegDecoder::readRow(std::byte* samples) {
     guarded([this] { jpeg_finish_decompress(&jpeg_); });
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

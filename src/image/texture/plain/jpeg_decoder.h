@@ -10,7 +10,7 @@
 #include <cstdio>  // jpeglib.h needs it before
 #include <string>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// A grey or RGB JPEG, read by libjpeg row by row. Stands before the first row when made.
 class JpegDecoder {
@@ -59,4 +59,4 @@ class JpegDecoder {
     bool plain_ = true;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

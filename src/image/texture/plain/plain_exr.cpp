@@ -10,7 +10,7 @@
 #include <cstring>
 #include <map>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 /// The unpacking of one chunk (openexr_decode.h).
@@ -51,9 +51,9 @@ class PlainExr : public ImageFile {
     }
 
   private:
-    void unpackRows(int first, int count, SampleType type, std::span<std::byte> samples) override {
+    void unpackRows(int first, int count, TexelType type, std::span<std::byte> samples) override {
         const ImageDescription& d = description();
-        if (type != d.sampleType && type != SampleType::float32) {
+        if (type != d.sampleType && type != TexelType::float32) {
             throw ArgumentError("an EXR has floating-point samples");
         }
         const std::size_t bytes = rowBytes(type);
@@ -66,7 +66,7 @@ class PlainExr : public ImageFile {
     }
 
     /// The chunk that holds row y, as interleaved samples of that type, into chunk_.
-    void unpackChunk(int y, SampleType type) {
+    void unpackChunk(int y, TexelType type) {
         exr_chunk_info_t info{};
         input_.check(exr_read_scanline_chunk_info(input_.get(), 0, y, &info));
         if (info.width != description().data.width || y < info.start_y ||
@@ -84,7 +84,7 @@ class PlainExr : public ImageFile {
                 reinterpret_cast<std::uint8_t*>(chunk_.data() + index * bytesPerSample(type));
             channel.user_bytes_per_element = std::int16_t(bytesPerSample(type));
             channel.user_data_type =
-                std::uint16_t(type == SampleType::half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT);
+                std::uint16_t(type == TexelType::half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT);
             channel.user_pixel_stride = std::int32_t(names.size() * bytesPerSample(type));
             channel.user_line_stride = std::int32_t(rowBytes(type));
         }
@@ -100,7 +100,7 @@ class PlainExr : public ImageFile {
     std::vector<std::byte> chunk_;  ///< rows [chunkFirst_, chunkEnd_), as samples of type_
     int chunkFirst_ = 0;
     int chunkEnd_ = 0;
-    SampleType type_ = SampleType::half;
+    TexelType type_ = TexelType::half;
 };
 
 }  // namespace
@@ -113,4 +113,4 @@ std::unique_ptr<ImageFile> openPlainExr(const std::string& path) {
     return std::make_unique<PlainExr>(path, std::move(input), std::move(*description));
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

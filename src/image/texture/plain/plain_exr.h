@@ -2,7 +2,7 @@
 
 #include "texture/image_file.h"
 
-namespace specbake {
+namespace specbake::internal {
 
 /// Samples of an image, of all channels together, up to which openPlainExr() takes it. Beyond that
 /// OpenImageIO's start is a small part of the work, and its threads unpack rows faster.
@@ -14,4 +14,4 @@ inline constexpr long long kMostPlainSamples = 1 << 22;
 /// file, which is OpenImageIO's to read or refuse.
 std::unique_ptr<ImageFile> openPlainExr(const std::string& path);
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -3,7 +3,7 @@
 #include "texture/plain/jpeg_decoder.h"
 #include "texture/sequential_file.h"
 
-namespace specbake {
+namespace specbake::internal {
 
 std::unique_ptr<ImageFile> openPlainJpeg(const std::string& path) {
     if (!beginsWith(path, "\xff\xd8\xff")) return {};
@@ -12,4 +12,4 @@ std::unique_ptr<ImageFile> openPlainJpeg(const std::string& path) {
     return std::make_unique<SequentialFile<JpegDecoder>>(path, std::move(decoder));
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

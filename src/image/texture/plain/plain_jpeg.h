@@ -2,11 +2,11 @@
 
 #include "texture/image_file.h"
 
-namespace specbake {
+namespace specbake::internal {
 
 /// Opens a JPEG by libjpeg alone, which loads in no time. Null for what is no JPEG, and for a JPEG
 /// that has four inks, or Exif, XMP or IPTC metadata: these are OpenImageIO's. Throws FileError for
 /// a JPEG that is damaged or whose size is out of bounds.
 std::unique_ptr<ImageFile> openPlainJpeg(const std::string& path);
 
-}  // namespace specbake
+}  // namespace specbake::internal

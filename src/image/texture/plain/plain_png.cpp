@@ -3,7 +3,7 @@
 #include "texture/plain/png_decoder.h"
 #include "texture/sequential_file.h"
 
-namespace specbake {
+namespace specbake::internal {
 
 std::unique_ptr<ImageFile> openPlainPng(const std::string& path) {
     if (!beginsWith(path, "\x89PNG\r\n\x1a\n")) return {};
@@ -12,4 +12,4 @@ std::unique_ptr<ImageFile> openPlainPng(const std::string& path) {
     return std::make_unique<SequentialFile<PngDecoder>>(path, std::move(decoder));
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -10,7 +10,7 @@
 #include <csetjmp>
 #include <cstdio>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 void ignore(png_structp, png_const_charp) {}
@@ -85,7 +85,7 @@ void PngDecoder::describe() {
         d.channels.emplace_back("A");
     }
     d.sampleType =
-        png_get_bit_depth(png_.read, png_.info) == 16 ? SampleType::uint16 : SampleType::uint8;
+        png_get_bit_depth(png_.read, png_.info) == 16 ? TexelType::uint16 : TexelType::uint8;
 }
 
 void PngDecoder::readText(const char* key, const std::string& text) {
@@ -135,4 +135,4 @@ void PngDecoder::readRow(std::byte* samples) {
     guarded([this] { png_read_end(png_.read, nullptr); });
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -8,7 +8,7 @@
 #include <array>
 #include <string>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// A PNG, read by libpng row by row: palettes become RGB, a transparent colour becomes alpha, and
 /// samples of fewer than 8 bits become 8. Stands before the first row when made.
@@ -58,4 +58,4 @@ class PngDecoder {
     int rowsRead_ = 0;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

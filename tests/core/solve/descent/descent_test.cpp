@@ -12,6 +12,7 @@
 #include <set>
 
 using namespace specbake;
+using namespace specbake::internal;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include <random>
 
 using namespace specbake;
+using namespace specbake::internal;
 
 namespace {
 

@@ -15,6 +15,7 @@
 #include <set>
 
 using namespace specbake;
+using namespace specbake::internal;
 using namespace specbake::testing;
 
 namespace {
@@ -115,7 +116,7 @@ TEST_CASE("rows may be asked for in any order, and halves as floats") {
         const int first = below(random, 40);
         const int count = 1 + below(random, 40 - first);
         std::vector<float> rows(std::size_t(5 * count));
-        image->readRows(first, count, SampleType::float32, std::as_writable_bytes(std::span(rows)));
+        image->readRows(first, count, TexelType::float32, std::as_writable_bytes(std::span(rows)));
         CHECK(rows ==
               std::vector<float>(all.begin() + 5 * first, all.begin() + 5 * (first + count)));
         CHECK(rowsOf(*image, first, 1).size() == 10);

@@ -14,6 +14,7 @@
 #include <random>
 
 using namespace specbake;
+using namespace specbake::internal;
 using namespace specbake::testing;
 
 namespace {

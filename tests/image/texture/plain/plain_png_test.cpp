@@ -13,6 +13,7 @@
 #include <random>
 
 using namespace specbake;
+using namespace specbake::internal;
 using namespace specbake::testing;
 
 namespace {

@@ -1,43 +1,41 @@
 #pragma once
 
 #include <specbake/core/api.h>
-#include <specbake/core/outside.h>
+#include <specbake/core/upsampler_options.h>
 #include <specbake/image/spectral_layout.h>
+#include <specbake/image/texture.h>
 
 #include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 namespace specbake {
 
-/// How a colour becomes a spectrum.
-enum class Method {
-    smooth,  ///< the smoothest reflectance (shell.h)
-    descent  ///< the paper's descent (descent.h)
-};
-
 /// How a texture is baked. The defaults are those of `specbake bake`.
 struct BakeOptions {
-    std::optional<std::string> space;       ///< of colorSpaces(); none: what the file says
-    std::optional<std::string> illuminant;  ///< of illuminantNames(); none: the space's own white
-    Method method = Method::smooth;
-    int grid = 17;          ///< nodes an axis, GridAxis::kFewestNodes to kMostNodes
-    bool perTexel = false;  ///< no grid: every distinct colour is solved by itself
-    Outside outside = Outside::nearest;
-    int bits = 10;  ///< of the mantissa of half samples, 4 to 10
-    /// Instead of `grid`: the coarsest one whose spectra deviate by at most this from the directly
-    /// solved ones: RMS over the bands and the texture's own colours.
+    std::optional<std::string> space;  ///< of colorSpaces(); none: what the texture says
+    UpsamplerOptions model;
+    /// Instead of `model.grid`: the coarsest grid whose spectra deviate by at most this from the
+    /// directly solved ones: RMS over the bands and the texture's own colours.
     std::optional<double> maxDeviation;
+    int bits = kMostMantissaBits;  ///< of the mantissa of half samples
     /// Instead of `bits`: the fewest that keep every texel within this CIEDE2000.
     std::optional<double> maxDE;
     StorageOptions storage;
     int threads = 0;                       ///< 0: all cores
     std::stop_token stop;                  ///< when stopped, bake() throws Cancelled
     std::function<void(double)> progress;  ///< called with 0 to 1, from one thread at a time
+
+    static constexpr int kFewestMantissaBits = 4;
+    static constexpr int kMostMantissaBits = 10;  ///< all that a half has
+
+    /// Whether a bake can begin. `reason`, if it is given, says why not: one line.
+    [[nodiscard]] SPECBAKE_API bool isValid(std::string* reason = nullptr) const;
 };
 
 /// What was done, for `--stats` and `-v`.
@@ -57,10 +55,28 @@ struct BakeStatistics {
     std::vector<std::string> notes;  ///< of the texture: what of the file was not used
 };
 
-/// The texture `input` to the spectral image `output`, which appears whole or not at all.
-/// The bytes of the output depend on the input and the options but not on the threads.
+/// The texture to the spectral image `output`, which appears whole or not at all. The bytes of the
+/// output depend on the input and the options but not on the threads.
 /// Throws FileError, ArgumentError, Cancelled.
+SPECBAKE_API BakeStatistics bake(Texture& texture, const std::filesystem::path& output,
+                                 const BakeOptions& options);
+
+/// The same for a texture in a file.
 SPECBAKE_API BakeStatistics bake(const std::string& input, const std::filesystem::path& output,
+                                 const BakeOptions& options);
+
+/// Takes a spectral image row by row, without a file. Called by one thread at a time.
+struct RowReceiver {
+    /// Before the first row: windows, alpha, attributes. The channels are channelNames().
+    std::function<void(const SpectralHeader&)> begin;
+    /// Row `row` of the data window, counted from 0, in order: channel by channel, samples of
+    /// `options.storage.sampleType`.
+    std::function<void(int row, std::span<const std::byte> samples)> row;
+};
+
+/// The texture to a receiver. Of `options.storage` the sample type counts; tiles and mip levels
+/// are refused by an ArgumentError, since rows have none.
+SPECBAKE_API BakeStatistics bake(Texture& texture, const RowReceiver& receiver,
                                  const BakeOptions& options);
 
 }  // namespace specbake

@@ -51,6 +51,9 @@ struct Primaries {
 /// How a texture's stored numbers become linear ones.
 enum class Transfer { linear, sRGB };
 
+/// Of an encoded component.
+SPECBAKE_API double linearFrom(double encoded, Transfer transfer);
+
 /// sRGB's decoding curve (IEC 61966-2-1), odd about 0, extended above 1.
 SPECBAKE_API double linearFromSRGB(double encoded);
 /// Its inverse.

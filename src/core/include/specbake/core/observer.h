@@ -21,6 +21,8 @@ class SPECBAKE_API Observer {
     explicit Observer(std::string_view illuminant);
 
     const std::string& illuminant() const { return illuminant_; }
+    /// Of the colour-matching functions.
+    std::string_view name() const { return "CIE 1931 2 degree, 5 nm"; }
 
     /// w_m, the tristimulus of band m at reflectance 1.
     const std::array<Imath::V3d, kBandCount>& weights() const { return weights_; }

@@ -5,6 +5,7 @@
 #include <specbake/core/solver.h>
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace specbake {
@@ -16,6 +17,8 @@ enum class Outside {
     error     ///< nothing: the colour is refused
 };
 
+/// Every rule, the default first.
+SPECBAKE_API std::span<const Outside> outsideRules();
 SPECBAKE_API std::string_view outsideName(Outside rule);
 SPECBAKE_API std::optional<Outside> outsideFromName(std::string_view name);
 

@@ -35,8 +35,11 @@ class SPECBAKE_API ShellSolver : public Solver {
     /// a thicker layer more colours have the boundary's steep spectra mixed in.
     static constexpr double kRelativeDepth = 1.0 / 256;
 
-    /// 0 < relativeDepth <= 1, else throws ArgumentError.
-    explicit ShellSolver(const Observer& observer, double relativeDepth = kRelativeDepth);
+    /// `solid` is the observer's. 0 < relativeDepth <= 1, else throws ArgumentError.
+    ShellSolver(const Observer& observer, const Solid& solid,
+                double relativeDepth = kRelativeDepth);
+    explicit ShellSolver(const Observer& observer, double relativeDepth = kRelativeDepth)
+        : ShellSolver(observer, Solid(observer), relativeDepth) {}
 
     /// `solved` for every colour of the solid, and for those that rounding alone puts outside
     /// (gauge at most 1 + 4 gaugeError(), what an 81-term sum or a matrix adds); residual <= 1e-11.

@@ -17,13 +17,11 @@ struct SolidMesh;
 /// parallelograms on its side, and two bases of 48 sides at Z = 0 and Z = max.
 ///
 /// Which vectors are parallel and on which side of a face a vector lies is decided exactly, on the
-/// table's printed decimals. Colours are finite. Immutable; may be shared by threads.
+/// table's printed decimals. Colours are finite. Immutable: copies share one description, and so
+/// may threads.
 class SPECBAKE_API Solid {
   public:
     explicit Solid(const Observer& observer);
-    ~Solid();
-    Solid(Solid&&) noexcept;
-    Solid& operator=(Solid&&) noexcept;
 
     const XYZ& white() const;
     XYZ center() const;
@@ -73,7 +71,7 @@ class SPECBAKE_API Solid {
 
   private:
     struct SPECBAKE_LOCAL Data;
-    std::unique_ptr<const Data> data_;
+    std::shared_ptr<const Data> data_;
     friend SPECBAKE_API SolidMesh solidMesh(const Solid& solid);
 };
 

@@ -18,10 +18,10 @@ struct Window {
 /// Sides beyond this are refused: hostile headers claim more (the limit of known formats is below).
 inline constexpr int kLargestSide = 1 << 17;
 
-enum class SampleType { uint8, uint16, half, float32 };
+enum class TexelType { uint8, uint16, half, float32 };
 
-constexpr std::size_t bytesPerSample(SampleType type) {
-    return type == SampleType::uint8 ? 1 : type == SampleType::float32 ? 4 : 2;
+constexpr std::size_t bytesPerSample(TexelType type) {
+    return type == TexelType::uint8 ? 1 : type == TexelType::float32 ? 4 : 2;
 }
 
 /// Metadata that a file carries beside its pixels. Vectors have 2, 3, 9 or 16 floats.

@@ -9,7 +9,9 @@
 
 namespace specbake {
 
+namespace internal {
 class PreviewFile;
+}
 
 /// Writes a picture to be looked at, by rows, in the format of its name's extension: linear floats
 /// where the format has them (EXR, HDR), else 8-bit sRGB. The file appears at commit(), whole;
@@ -31,7 +33,7 @@ class SPECBAKE_API PreviewWriter {
     void commit();
 
   private:
-    std::unique_ptr<PreviewFile> file_;
+    std::unique_ptr<internal::PreviewFile> file_;
 };
 
 }  // namespace specbake

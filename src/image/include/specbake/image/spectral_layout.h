@@ -1,10 +1,11 @@
 #pragma once
 
 #include <specbake/core/api.h>
-#include <specbake/core/wavelengths.h>
+#include <specbake/core/samples.h>
 #include <specbake/image/image_types.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,15 +20,15 @@ SPECBAKE_API std::string bandChannelName(int band);
 /// The wavelength, nm, of a reflectance channel's name; nothing for another channel.
 SPECBAKE_API std::optional<double> bandWavelength(std::string_view channelName);
 
-/// A file's channels in the order in which they are stored, the alphabet's:
-/// A (if any), B, G, R, then the bands from 380 nm up.
+/// A file's channels in the order in which they are stored, the alphabet's: A (if any), then the
+/// samples of a texel (samples.h).
 SPECBAKE_API std::vector<std::string> channelNames(bool alpha);
 
-/// Channels that every texel has: B, G, R (the preview) and the bands, in stored order.
-inline constexpr int kPreviewChannels = 3;
-inline constexpr int kColorChannels = kPreviewChannels + kBandCount;
-
 enum class Compression { none, zip, zips, piz };
+
+/// "zip" and so on; every compression that is offered, the default first.
+SPECBAKE_API std::string_view compressionName(Compression compression);
+SPECBAKE_API std::span<const Compression> compressions();
 
 /// The size of a file's tiles.
 struct TileSize {
@@ -39,7 +40,7 @@ struct TileSize {
 
 /// How pixels are stored.
 struct StorageOptions {
-    SampleType sampleType = SampleType::half;  ///< half or float32, of every channel
+    SampleType sampleType = SampleType::half;  ///< of every channel
     Compression compression = Compression::zip;
     int level = kFastestSmall;  ///< of zip and zips
     /// None: scan lines, or with `mipmap` tiles of the usual size.

@@ -28,10 +28,8 @@ struct StorageFacts {
 /// 380 to 780 nm every 5 nm; channels of other names are passed over.
 class SPECBAKE_API SpectralReader {
   public:
-    /// Throws FileError if the file cannot be read or does not hold the 81 bands. `threads` unpack
-    /// it beside the caller, if there are more than 1; of all readers in the process, the last that
-    /// was made decides.
-    explicit SpectralReader(const std::string& path, int threads = 1);
+    /// Throws FileError if the file cannot be read or does not hold the 81 bands.
+    explicit SpectralReader(const std::string& path);
     ~SpectralReader();
 
     const SpectralHeader& header() const;

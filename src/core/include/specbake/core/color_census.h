@@ -1,12 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 
 namespace specbake {
 
-/// What became of a texel.
+/// What became of a colour that is no blend of the grid's nodes alone.
 enum class Fate {
     solved,     ///< its spectrum has its colour
     moved,      ///< outside the solid: its spectrum has another colour, by the rule for these
@@ -15,28 +16,31 @@ enum class Fate {
     failed      ///< inside the solid, and yet the method did not solve it
 };
 
-/// What some texels met. Censuses of parts, in any order, add up to that of the whole.
-class TexelCensus {
+/// What some colours met. Censuses of parts, in any order, add up to that of the whole.
+class ColorCensus {
   public:
-    /// Texels of one fate: how many, and the first one's number in row order.
+    /// Colours of one fate: how many, and the number of the first.
     struct Kind {
         std::size_t count = 0;
         std::optional<std::size_t> first;
     };
 
-    /// A texel that is no blend of the grid's nodes; `difference`: CIEDE2000 from asked to given.
-    void meet(std::size_t texel, Fate fate, double difference) {
+    /// `difference`: CIEDE2000 from the colour asked for to that given.
+    void meet(std::size_t number, Fate fate, double difference) {
         Kind& kind = kinds_[std::size_t(fate)];
-        kind.first = std::min(texel, kind.first.value_or(texel));
+        kind.first = std::min(number, kind.first.value_or(number));
         ++kind.count;
         largestMove_ = std::max(largestMove_, difference);
     }
 
-    void add(const TexelCensus& other) {
+    /// `offset`: the number, here, of the other's number 0.
+    void add(const ColorCensus& other, std::size_t offset = 0) {
         for (std::size_t i = 0; i < kFates; ++i) {
             const Kind& kind = other.kinds_[i];
-            if (kind.first)
-                kinds_[i].first = std::min(*kind.first, kinds_[i].first.value_or(*kind.first));
+            if (kind.first) {
+                const std::size_t first = *kind.first + offset;
+                kinds_[i].first = std::min(first, kinds_[i].first.value_or(first));
+            }
             kinds_[i].count += kind.count;
         }
         largestMove_ = std::max(largestMove_, other.largestMove_);
@@ -45,14 +49,14 @@ class TexelCensus {
     const Kind& of(Fate fate) const { return kinds_[std::size_t(fate)]; }
     double largestMove() const { return largestMove_; }
 
-    /// Every texel has a spectrum.
-    bool complete() const {
-        return of(Fate::refused).count + of(Fate::notFinite).count + of(Fate::failed).count == 0;
+    /// How many colours have no spectrum.
+    std::size_t withoutSpectrum() const {
+        return of(Fate::refused).count + of(Fate::notFinite).count + of(Fate::failed).count;
     }
 
   private:
     static constexpr std::size_t kFates = 5;
-    Kind kinds_[kFates];
+    std::array<Kind, kFates> kinds_;
     double largestMove_ = 0;
 };
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <specbake/core/api.h>
+#include <specbake/core/outside.h>
+
+#include <optional>
+#include <string>
+
+namespace specbake {
+
+/// Nodes along each axis of the lookup grid.
+inline constexpr int kFewestGridNodes = 2;
+inline constexpr int kMostGridNodes = 129;
+inline constexpr int kDefaultGridNodes = 17;
+
+/// How colours become spectra, whatever space they are in. The defaults are those of every program.
+struct UpsamplerOptions {
+    /// The light under which the colours hold, of illuminantNames(); none: the space's own white.
+    std::optional<std::string> illuminant;
+    std::string method = "smooth";  ///< of methods()
+    Outside outside = Outside::nearest;
+    /// Nodes of the lookup grid along each axis; none: each colour is solved by itself.
+    std::optional<int> grid = kDefaultGridNodes;
+
+    /// Whether an Upsampler can be made of this. `reason`, if it is given, says why not: one line.
+    [[nodiscard]] SPECBAKE_API bool isValid(std::string* reason = nullptr) const;
+};
+
+}  // namespace specbake

@@ -1,0 +1,37 @@
+#include "solve/descent/descent_method.h"
+
+#include <specbake/core/methods.h>
+#include <specbake/core/shell.h>
+
+#include <algorithm>
+#include <array>
+
+namespace specbake {
+
+using namespace internal;
+
+namespace {
+
+std::shared_ptr<const Solver> makeSmooth(const Observer& observer, const Solid& solid,
+                                         SolverUse /*use*/) {
+    return std::make_shared<const ShellSolver>(observer, solid);
+}
+
+constexpr std::array kMethods = {
+    Method{"smooth", "the smoothest spectrum", makeSmooth},
+    Method{"descent", "steepest descent in the box", internal::makeDescent},
+};
+
+}  // namespace
+
+std::span<const Method> methods() {
+    return kMethods;
+}
+
+const Method* findMethod(std::string_view name) {
+    const auto found = std::find_if(kMethods.begin(), kMethods.end(),
+                                    [&](const Method& method) { return method.name == name; });
+    return found == kMethods.end() ? nullptr : &*found;
+}
+
+}  // namespace specbake

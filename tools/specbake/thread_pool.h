@@ -1,0 +1,23 @@
+#pragma once
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace specbake::tool {
+
+/// More threads than cores, where they are asked for: the libraries take of TBB's threads what
+/// they find, and only the program may decide how many there are.
+class ThreadPool {
+  public:
+    explicit ThreadPool(int threads)
+        : limit_(tbb::global_control::max_allowed_parallelism,
+                 std::size_t(std::max(threads, tbb::info::default_concurrency()))) {}
+
+  private:
+    tbb::global_control limit_;
+};
+
+}  // namespace specbake::tool
