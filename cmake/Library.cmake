@@ -13,6 +13,7 @@ function(specbake_add_library name)
     EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    INSTALL_RPATH $ORIGIN
     VERIFY_INTERFACE_HEADER_SETS ${PROJECT_IS_TOP_LEVEL})
   target_compile_features(${library} PUBLIC cxx_std_20)
   target_include_directories(${library} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})

@@ -9,11 +9,14 @@ file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 # The package must not need the tree that it came from.
 file(RENAME ${WORK}/prefix ${WORK}/moved)
-run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -B ${WORK}/build -D CMAKE_BUILD_TYPE=${TYPE}
-    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
-    -D CMAKE_PREFIX_PATH=${WORK}/moved)
-run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/consumer ${IMAGE} ${WORK}/library.exr)
+foreach(consumer bake core)
+  run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE}/${consumer} -B ${WORK}/${consumer}
+      -D CMAKE_BUILD_TYPE=${TYPE} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
+      -D CMAKE_PREFIX_PATH=${WORK}/moved)
+  run(${CMAKE_COMMAND} --build ${WORK}/${consumer})
+endforeach()
+run(${WORK}/core/core_consumer)
+run(${WORK}/bake/consumer ${IMAGE} ${WORK}/library.exr)
 run(${WORK}/moved/bin/specbake bake -q ${IMAGE} -o ${WORK}/program.exr)
 run(${CMAKE_COMMAND} -E compare_files ${WORK}/library.exr ${WORK}/program.exr)
 
