@@ -4,11 +4,11 @@
 #include "methods/frame.h"
 #include "random_colors.h"
 #include "sets.h"
+#include "solve/shell.h"
 #include "statistics.h"
 #include "tasks.h"
 
 #include <specbake/core/error.h>
-#include <specbake/core/shell.h>
 #include <specbake/core/upsampler.h>
 #include <specbake/core/vector.h>
 
@@ -20,6 +20,9 @@
 #include <span>
 
 namespace specbake::bench {
+
+using namespace internal;
+
 namespace {
 
 /// Blue is drawn first: the figures of docs/method.md are those of these colours.

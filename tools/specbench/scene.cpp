@@ -6,13 +6,13 @@
 #include "methods/solver_method.h"
 #include "patches.h"
 #include "progress.h"
+#include "solve/shell.h"
 #include "statistics.h"
 #include "texture.h"
 #include "upsample/node_values.h"
 
 #include <specbake/bake/bake.h>
 #include <specbake/core/ciede2000.h>
-#include <specbake/core/shell.h>
 
 #include <Imath/half.h>
 
@@ -22,6 +22,9 @@
 #include <span>
 
 namespace specbake::bench {
+
+using namespace internal;
+
 namespace {
 
 constexpr int kGrids[] = {5, 9, 13, 17, 25, 33, 65};

@@ -1,4 +1,4 @@
-#include <specbake/core/eigen.h>
+#include "solid/eigen.h"
 
 #include <Imath/ImathMatrix.h>
 #include <Imath/ImathMatrixAlgo.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 Imath::M33d gramMatrix(const Observer& observer) {
@@ -61,4 +61,4 @@ Spectrum EigenAnalysis::shortestSolution(const XYZ& color) const {
     return s;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

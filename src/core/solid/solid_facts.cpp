@@ -1,6 +1,6 @@
+#include "solid/eigen.h"
 #include "solid/generators.h"
 
-#include <specbake/core/eigen.h>
 #include <specbake/core/solid.h>
 #include <specbake/core/solid_facts.h>
 #include <specbake/core/solid_mesh.h>

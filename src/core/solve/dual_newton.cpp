@@ -1,7 +1,8 @@
+#include "solve/dual_newton.h"
+
 #include "solve/face_modes.h"
 #include "solve/polish.h"
 
-#include <specbake/core/dual_newton.h>
 #include <specbake/core/vector.h>
 
 #include <algorithm>
@@ -10,10 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace specbake {
-
-using namespace internal;
-
+namespace specbake::internal {
 namespace {
 
 /// Rounding errors of W s - t, a sum near 1: what is smaller is 0.
@@ -182,4 +180,4 @@ Solution DualNewtonSolver::solveFrom(const XYZ& color, const Spectrum& start) co
     return solution;
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -1,7 +1,7 @@
 #include "solve/descent/descent_method.h"
+#include "solve/shell.h"
 
 #include <specbake/core/methods.h>
-#include <specbake/core/shell.h>
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
+#include "solve/shell.h"
+
 #include <specbake/core/error.h>
-#include <specbake/core/shell.h>
 #include <specbake/core/vector.h>
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-namespace specbake {
+namespace specbake::internal {
 namespace {
 
 using enum SolveReport::Status;
@@ -86,4 +87,4 @@ Solution ShellSolver::blend(const XYZ& color) const {
     }
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -1,16 +1,14 @@
+#include "solve/smooth.h"
+
 #include "solve/bordered_tridiagonal.h"
 
-#include <specbake/core/smooth.h>
 #include <specbake/core/vector.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace specbake {
-
-using namespace internal;
-
+namespace specbake::internal {
 namespace {
 
 using Imath::V3d;
@@ -173,4 +171,4 @@ Solution SmoothSolver::solve(const XYZ& color) const {
     return solutionOf(outcome);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

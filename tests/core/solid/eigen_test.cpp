@@ -1,4 +1,4 @@
-#include <specbake/core/eigen.h>
+#include "solid/eigen.h"
 
 #include <Imath/ImathMatrix.h>
 #include <doctest/doctest.h>
@@ -7,6 +7,7 @@
 #include <random>
 
 using namespace specbake;
+using namespace specbake::internal;
 
 namespace {
 

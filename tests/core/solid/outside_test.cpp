@@ -1,13 +1,14 @@
+#include "solve/shell.h"
 #include "support/solid_samples.h"
 
 #include <specbake/core/outside.h>
-#include <specbake/core/shell.h>
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 using namespace specbake;
+using namespace specbake::internal;
 using namespace specbake::testing;
 
 TEST_CASE("every rule leaves colours of the solid alone") {

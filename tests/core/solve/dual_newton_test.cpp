@@ -1,7 +1,7 @@
-#include "support/sample_colors.h"
+#include "solve/dual_newton.h"
 
-#include <specbake/core/descent.h>
-#include <specbake/core/dual_newton.h>
+#include "solve/descent/descent.h"
+#include "support/sample_colors.h"
 
 #include <doctest/doctest.h>
 
@@ -11,6 +11,7 @@
 #include <random>
 
 using namespace specbake;
+using namespace specbake::internal;
 
 namespace {
 

@@ -1,7 +1,8 @@
+#include "solve/shell.h"
+
 #include "support/solid_samples.h"
 
 #include <specbake/core/error.h>
-#include <specbake/core/shell.h>
 
 #include <doctest/doctest.h>
 
@@ -10,6 +11,7 @@
 #include <vector>
 
 using namespace specbake;
+using namespace specbake::internal;
 using namespace specbake::testing;
 
 namespace {

@@ -1,4 +1,4 @@
-#include <specbake/core/smooth.h>
+#include "solve/smooth.h"
 
 #include <doctest/doctest.h>
 
@@ -7,6 +7,7 @@
 #include <random>
 
 using namespace specbake;
+using namespace specbake::internal;
 
 namespace {
 

@@ -1,6 +1,7 @@
+#include "solve/shell.h"
+
 #include <specbake/core/error.h>
 #include <specbake/core/methods.h>
-#include <specbake/core/shell.h>
 #include <specbake/core/upsampler.h>
 #include <specbake/core/vector.h>
 
@@ -12,6 +13,7 @@
 #include <set>
 
 using namespace specbake;
+using namespace specbake::internal;
 
 namespace {
 

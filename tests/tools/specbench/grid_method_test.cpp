@@ -1,8 +1,8 @@
 #include "methods/grid_method.h"
 
 #include "sets.h"
+#include "solve/smooth.h"
 
-#include <specbake/core/smooth.h>
 #include <specbake/core/vector.h>
 
 #include <doctest/doctest.h>
@@ -12,6 +12,7 @@
 #include <vector>
 
 using namespace specbake;
+using namespace specbake::internal;
 using namespace specbake::bench;
 
 TEST_CASE("through the grid: the colour is exact at any resolution, nodes are the solver's") {

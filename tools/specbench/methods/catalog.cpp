@@ -7,14 +7,16 @@
 #include "max_entropy.h"
 #include "nearest_grey.h"
 #include "smits1999.h"
+#include "solve/descent/descent.h"
+#include "solve/dual_newton.h"
+#include "solve/shell.h"
+#include "solve/smooth.h"
 #include "solver_method.h"
 
-#include <specbake/core/descent.h>
-#include <specbake/core/dual_newton.h>
-#include <specbake/core/shell.h>
-#include <specbake/core/smooth.h>
-
 namespace specbake::bench {
+
+using namespace internal;
+
 namespace {
 
 template <class M, class... Arguments>

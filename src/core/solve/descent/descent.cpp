@@ -1,8 +1,9 @@
+#include "solve/descent/descent.h"
+
 #include "solve/descent/face_path.h"
 #include "solve/descent/random_start.h"
 #include "solve/polish.h"
 
-#include <specbake/core/descent.h>
 #include <specbake/core/error.h>
 #include <specbake/core/vector.h>
 
@@ -10,10 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace specbake {
-
-using namespace internal;
-
+namespace specbake::internal {
 namespace {
 
 /// The share of the residual that a release has to have gained for another one: colours outside
@@ -166,4 +164,4 @@ Spectrum DescentSolver::startPoint(const XYZ& color, int number) const {
     return randomStart(color, number);
 }
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -1,7 +1,7 @@
 #include "solve/descent/descent_method.h"
 
-#include <specbake/core/descent.h>
-#include <specbake/core/shell.h>
+#include "solve/descent/descent.h"
+#include "solve/shell.h"
 
 namespace specbake::internal {
 namespace {

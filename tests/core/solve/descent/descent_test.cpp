@@ -1,7 +1,8 @@
+#include "solve/descent/descent.h"
+
 #include "solve/descent/random_start.h"
 #include "support/sample_colors.h"
 
-#include <specbake/core/descent.h>
 #include <specbake/core/error.h>
 
 #include <doctest/doctest.h>

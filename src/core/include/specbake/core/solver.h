@@ -18,7 +18,7 @@ struct SolveReport {
     int iterations = 0;     ///< Newton steps, or path segments, over all starts
     int starts = 1;         ///< starting points tried
     int hits = 0;           ///< components fixed at 0 or 1 on the way (descent)
-    bool fellBack = false;  ///< the method asked for failed, and the shell solved (src/bake)
+    bool fellBack = false;  ///< the method asked for failed, and the shell solved
     bool blended = false;   ///< the shell mixed the solution with the boundary's spectrum
 };
 

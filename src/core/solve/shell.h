@@ -1,12 +1,12 @@
 #pragma once
 
-#include <specbake/core/api.h>
+#include "solve/smooth.h"
+
 #include <specbake/core/observer.h>
-#include <specbake/core/smooth.h>
 #include <specbake/core/solid.h>
 #include <specbake/core/solver.h>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// The smooth solver, made to answer for every colour of the object-colour solid.
 ///
@@ -26,7 +26,7 @@ namespace specbake {
 ///
 /// δ = 1/256 was found by measurement (kRelativeDepth). Should Newton fail in spite of it, D is
 /// doubled until it does not: on the grey axis it cannot.
-class SPECBAKE_API ShellSolver : public Solver {
+class ShellSolver : public Solver {
   public:
     /// δ. Of 1.5·10^6 colours, over all illuminants, at depths of 2^-10 to 2^-4 times 4m(1 − m),
     /// half of them at the narrow ends of the solid, Newton failed on one: at 0.0032, within 10^-5
@@ -61,4 +61,4 @@ class SPECBAKE_API ShellSolver : public Solver {
     SmoothSolver smooth_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

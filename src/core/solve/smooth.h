@@ -1,10 +1,9 @@
 #pragma once
 
-#include <specbake/core/api.h>
 #include <specbake/core/observer.h>
 #include <specbake/core/solver.h>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// The smoothest reflectance of a colour: s = ½(1 + tanh z) with z minimising Σ (z_{m+1} - z_m)²
 /// subject to W s = t (1). S. A. Burns, "Numerical methods for smoothest reflectance
@@ -15,7 +14,7 @@ namespace specbake {
 /// same luminance. Where that does not converge the colour is approached from the grey in steps.
 /// Colours at the very boundary of the object-colour solid have |z| without bound and are reported
 /// as failed: see shell.h, which never fails.
-class SPECBAKE_API SmoothSolver : public Solver {
+class SmoothSolver : public Solver {
   public:
     explicit SmoothSolver(const Observer& observer) : observer_(observer) {}
 
@@ -26,4 +25,4 @@ class SPECBAKE_API SmoothSolver : public Solver {
     Observer observer_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

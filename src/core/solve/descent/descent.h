@@ -1,10 +1,9 @@
 #pragma once
 
-#include <specbake/core/api.h>
 #include <specbake/core/observer.h>
 #include <specbake/core/solver.h>
 
-namespace specbake {
+namespace specbake::internal {
 
 struct DescentOptions {
     /// How to go towards the solution within a face of the box. Both have the same limit.
@@ -36,7 +35,7 @@ struct DescentOptions {
 /// bit, whatever was solved before and by whichever thread. A spectrum never leaves [0, 1].
 /// Colours outside the solid, and those that are not finite, have status `failed`: this solver
 /// does not know the solid.
-class SPECBAKE_API DescentSolver : public Solver {
+class DescentSolver : public Solver {
   public:
     /// Throws ArgumentError for options outside their ranges.
     explicit DescentSolver(const Observer& observer, const DescentOptions& options = {});
@@ -56,4 +55,4 @@ class SPECBAKE_API DescentSolver : public Solver {
     DescentOptions options_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

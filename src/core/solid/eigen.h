@@ -1,6 +1,5 @@
 #pragma once
 
-#include <specbake/core/api.h>
 #include <specbake/core/observer.h>
 #include <specbake/core/spectrum.h>
 
@@ -8,13 +7,13 @@
 
 #include <array>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// The eigen-analysis of the operator A = Σ |w⟩⟨w| over X, Y, Z (paper, section 2).
 ///
 /// Of its 81 eigenvalues three are not 0: those of the 3 x 3 Gram matrix ⟨w|w⟩ (9). Spectra here
 /// are plain 81-vectors, not reflectances.
-class SPECBAKE_API EigenAnalysis {
+class EigenAnalysis {
   public:
     explicit EigenAnalysis(const Observer& observer);
 
@@ -33,4 +32,4 @@ class SPECBAKE_API EigenAnalysis {
     std::array<Spectrum, 3> vectors_{};
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <specbake/core/api.h>
 #include <specbake/core/observer.h>
 #include <specbake/core/solver.h>
 
-namespace specbake {
+namespace specbake::internal {
 
 /// The point of the box nearest to a start, of those that have the colour:
 ///
@@ -22,8 +21,8 @@ struct NearestReflectance {
 
 /// Semismooth Newton with an exact line search. `start` is any spectrum, `color` finite. Ends at
 /// rounding, or after `maxIterations` steps.
-SPECBAKE_API NearestReflectance nearestReflectance(const Observer& observer, const XYZ& color,
-                                                   const Spectrum& start, int maxIterations = 100);
+NearestReflectance nearestReflectance(const Observer& observer, const XYZ& color,
+                                      const Spectrum& start, int maxIterations = 100);
 
 struct DualNewtonOptions {
     int maxIterations = 100;
@@ -33,7 +32,7 @@ struct DualNewtonOptions {
 /// The reflectance nearest to the constant Y. The cross-check of the other solvers: it does not
 /// fail for a colour of the solid. It is continuous in the colour, though rarely smooth in
 /// wavelength. Colours outside, and those that are not finite, have status `failed`.
-class SPECBAKE_API DualNewtonSolver : public Solver {
+class DualNewtonSolver : public Solver {
   public:
     explicit DualNewtonSolver(const Observer& observer, const DualNewtonOptions& options = {});
 
@@ -46,4 +45,4 @@ class SPECBAKE_API DualNewtonSolver : public Solver {
     DualNewtonOptions options_;
 };
 
-}  // namespace specbake
+}  // namespace specbake::internal
