@@ -21,7 +21,6 @@ import sys
 import time
 
 COMPRESSIONS = ["none", "zip", "piz"]
-SHARED = pathlib.Path(__file__).resolve().parents[4] / "shared" / "textures"
 
 
 def say(text):
@@ -165,13 +164,9 @@ def main():
     parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("--pairs", type=int, default=5)
     parser.add_argument("--full", action="store_true", help="as many pairs of 4096² too")
-    parser.add_argument("--textures", type=pathlib.Path, nargs="*",
-                        help="default: those of ../shared, if it is there")
+    parser.add_argument("--textures", type=pathlib.Path, nargs="*", default=[],
+                        help="besides the synthetic one")
     options = parser.parse_args()
-    textures = options.textures
-    if textures is None:
-        names = ["wood_2k.jpg", "fabric_1k.jpg", "grass_1k.png", "kodim03.png"]
-        textures = [SHARED / name for name in names if (SHARED / name).exists()]
     options.out.mkdir(parents=True, exist_ok=True)
     work = options.out / "work"
     work.mkdir(exist_ok=True)
@@ -187,12 +182,12 @@ def main():
                         "processor": statistics.median(s["processor"] for s in starts) * 1e3}
     results["bakes"], results["threads"], results["memory"] = [], {}, {}
     large = bench.pattern(4096)
-    for texture in [*textures, large]:
+    for texture in [*options.textures, large]:
         pairs = options.pairs if texture != large or options.full else 1
         for compression in COMPRESSIONS:
             say(f"{texture.name}, {compression}")
             results["bakes"].append(bench.whole_bake(texture, compression, pairs))
-    for texture in [*textures[:1], large]:
+    for texture in [*options.textures[:1], large]:
         say(f"{texture.name}, 1 and 2 threads")
         results["threads"][texture.name] = bench.threads(texture, options.pairs)
     for side in [1024, 4096, 8192]:
