@@ -1,11 +1,11 @@
+#include "colors/patches.h"
+#include "colors/texture.h"
 #include "commands.h"
 #include "figures.h"
 #include "measures.h"
 #include "methods/catalog.h"
-#include "patches.h"
 #include "statistics.h"
 #include "tasks.h"
-#include "texture.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "colors/sets.h"
 #include "methods/csv.h"
 #include "methods/method.h"
-#include "sets.h"
 
 #include <array>
 #include <chrono>

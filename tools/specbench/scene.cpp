@@ -1,14 +1,14 @@
+#include "colors/patches.h"
+#include "colors/texture.h"
 #include "commands.h"
 #include "figures.h"
 #include "mantissa.h"
 #include "measures.h"
 #include "methods/grid_method.h"
 #include "methods/solver_method.h"
-#include "patches.h"
 #include "progress.h"
 #include "solve/shell.h"
 #include "statistics.h"
-#include "texture.h"
 #include "upsample/node_values.h"
 
 #include <specbake/bake/bake.h>

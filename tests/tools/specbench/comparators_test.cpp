@@ -1,9 +1,9 @@
 #include "methods/csv.h"
-#include "methods/glassner1989.h"
-#include "methods/mallett2019.h"
 #include "methods/max_entropy.h"
 #include "methods/nearest_grey.h"
-#include "methods/smits1999.h"
+#include "methods/published/glassner1989.h"
+#include "methods/published/mallett2019.h"
+#include "methods/published/smits1999.h"
 
 #include <specbake/core/error.h>
 

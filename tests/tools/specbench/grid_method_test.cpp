@@ -1,6 +1,6 @@
 #include "methods/grid_method.h"
 
-#include "sets.h"
+#include "colors/sets.h"
 #include "solve/smooth.h"
 
 #include <specbake/core/vector.h>

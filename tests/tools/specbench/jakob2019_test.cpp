@@ -1,4 +1,4 @@
-#include "methods/jakob2019_table.h"
+#include "methods/published/jakob2019_table.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #include "measures.h"
 
-#include "methods/mallett2019.h"
+#include "methods/published/mallett2019.h"
 #include "statistics.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "sets.h"
+#include "colors/sets.h"
 
 #include <doctest/doctest.h>
 

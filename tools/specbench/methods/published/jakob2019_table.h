@@ -1,6 +1,6 @@
 #pragma once
 
-#include "jakob2019.h"
+#include "methods/published/jakob2019.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "sets.h"
+#include "colors/sets.h"
 
-#include "random_colors.h"
+#include "colors/random_colors.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "texture.h"
+#include "colors/texture.h"
 
 #include "choose/color_survey.h"
 

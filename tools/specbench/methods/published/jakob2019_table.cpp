@@ -1,6 +1,6 @@
-#include "jakob2019_table.h"
+#include "methods/published/jakob2019_table.h"
 
-#include "clones.h"
+#include "methods/clones.h"
 
 #include <algorithm>
 #include <cmath>

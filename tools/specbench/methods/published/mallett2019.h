@@ -1,6 +1,6 @@
 #pragma once
 
-#include "linear_basis.h"
+#include "methods/linear_basis.h"
 
 #include <string>
 

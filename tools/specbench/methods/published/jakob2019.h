@@ -1,6 +1,6 @@
 #pragma once
 
-#include "method.h"
+#include "methods/method.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
-#include "smits1999.h"
+#include "methods/published/smits1999.h"
 
-#include "clones.h"
-#include "csv.h"
+#include "methods/clones.h"
+#include "methods/csv.h"
 
 #include <specbake/core/error.h>
 

@@ -1,4 +1,4 @@
-#include "random_colors.h"
+#include "colors/random_colors.h"
 
 namespace specbake::bench {
 

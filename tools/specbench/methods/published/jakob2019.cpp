@@ -1,4 +1,4 @@
-#include "jakob2019.h"
+#include "methods/published/jakob2019.h"
 
 #include <Imath/ImathMatrix.h>
 

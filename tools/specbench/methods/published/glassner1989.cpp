@@ -1,4 +1,4 @@
-#include "glassner1989.h"
+#include "methods/published/glassner1989.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "patches.h"
+#include "colors/patches.h"
 
 #include <filesystem>
 

@@ -1,6 +1,6 @@
-#include "mallett2019.h"
+#include "methods/published/mallett2019.h"
 
-#include "csv.h"
+#include "methods/csv.h"
 
 #include <specbake/core/error.h>
 
