@@ -5,26 +5,52 @@ rules=$1
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 
+unset "${!GIT_@}"  # of a hook that runs the tests: the trees below are no part of its history
+export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
+
 plant() { # FILE, content on standard input: a tree that holds this file only
-    rm -rf "$tree"/*
+    rm -rf "$tree"/* "$tree/.git"
     mkdir -p "$tree/$(dirname "$1")"
     cat >"$tree/$1"
 }
 
-bites() { # RULE FILE, content on standard input
+crowd() { # FOLDER COUNT: a tree that holds so many files there
+    plant "$1/0" </dev/null
+    for ((i = 1; i < $2; ++i)); do : >"$tree/$1/$i"; done
+}
+
+offends() { # RULE PLACE [COMMIT]: the rule finds something there in the tree as it is
     local said
-    plant "$2"
-    if said=$("$rules" "$tree") || ! grep -q "^$1: $2\|^$1: ./$2" <<<"$said"; then
+    if said=$("$rules" "$tree" "${@:3}") || ! grep -q "^$1: $2\|^$1: ./$2" <<<"$said"; then
         echo "$1 does not bite in $2; it said: $said" >&2
         exit 1
     fi
 }
 
-spares() { # FILE, content on standard input
+passes() { # PLACE [COMMIT]: no rule finds anything in the tree as it is
     local said
-    plant "$1"
-    said=$("$rules" "$tree") || { echo "no offence meant in $1, but: $said" >&2; exit 1; }
+    said=$("$rules" "$tree" "${@:2}") || { echo "no offence meant in $1, but: $said" >&2; exit 1; }
 }
+
+bites() { # RULE FILE, content on standard input
+    plant "$2"
+    offends "$1" "$2"
+}
+
+spares() { # FILE, content on standard input
+    plant "$1"
+    passes "$1"
+}
+
+in_tree() { git -C "$tree" -c user.name=A -c user.email=a@example.org "$@"; }
+
+history() { # MESSAGE...: a tree with a commit for each
+    plant a </dev/null
+    in_tree init -q
+    for message in "$@"; do in_tree commit -q --allow-empty -m "$message"; done
+}
+
+head_commit() { in_tree rev-parse HEAD; }
 
 bites core-includes src/core/a.cpp <<<'#include <specbake/image/reader.h>'
 bites core-includes src/core/a.cpp <<<'#include <OpenImageIO/imageio.h>'
@@ -51,3 +77,23 @@ spares src/core/a.cpp < <(
     yes '' | head -344)
 spares src/core/a.h < <(echo '#pragma once'; yes '' | head -159)
 spares tools/specbake/main.cpp <<<'std::cerr << error.what(); return 1;'
+
+crowd src/core/color 27
+offends roomy-folders src/core/color
+crowd tests/core 26
+passes tests/core
+
+if command -v git >/dev/null; then
+    long=$(printf 'é%.0s' {1..72})
+    history 'No body' 'One' 'Two'
+    offends commit-body "$(head_commit)" HEAD~1
+    history 'One' $'Signed\n\nSigned-off-by: A <a@example.org>'
+    offends commit-body "$(head_commit)" HEAD~1
+    history 'One' "${long}é"$'\n\nWhy.'
+    offends commit-subject "$(head_commit)" HEAD~1
+    history 'One' $'Two\nlines\n\nWhy.'
+    offends commit-subject "$(head_commit)" HEAD~1
+    history 'No body' "$long"$'\n\nWhy.\n\nTested: so.'
+    passes 'the last commit' HEAD~1
+    passes 'a history without the commit' # as a shallow one
+fi
