@@ -6,7 +6,8 @@ function(run)
 endfunction()
 
 # Unoptimised: what is looked at is how it fits together.
-set(common -G Ninja -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS=-O0 -D CMAKE_CXX_COMPILER=${COMPILER})
+set(common -G Ninja -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS=-O0
+    -D CMAKE_CXX_COMPILER=${COMPILER})
 set(hidden OpenImageIO OpenEXR JPEG PNG TBB PkgConfig)
 list(TRANSFORM hidden PREPEND "-DCMAKE_DISABLE_FIND_PACKAGE_")
 list(TRANSFORM hidden APPEND "=ON")
@@ -54,7 +55,8 @@ set(ENV{PKG_CONFIG_PATH} ${modules})
 execute_process(COMMAND pkg-config --cflags --libs specbake-core OUTPUT_VARIABLE flags
                 OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 separate_arguments(flags)
-run(${COMPILER} -std=c++20 ${PROJECT}/tests/consumer/core/main.cpp -o ${WORK}/by_pkg_config ${flags})
+run(${COMPILER} -std=c++20 ${PROJECT}/tests/consumer/core/main.cpp -o ${WORK}/by_pkg_config
+    ${flags})
 cmake_path(GET modules PARENT_PATH folder)
 set(ENV{LD_LIBRARY_PATH} ${folder})
 run(${WORK}/by_pkg_config)

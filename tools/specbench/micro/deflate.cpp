@@ -19,6 +19,9 @@
 #include <stdexcept>
 
 namespace specbake::bench {
+
+using namespace internal;
+
 namespace {
 
 constexpr std::size_t kChunks = 16;

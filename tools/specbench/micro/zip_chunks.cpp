@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 namespace specbake::bench {
+
 namespace {
 
 class ExrFile {
