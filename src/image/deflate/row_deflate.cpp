@@ -25,9 +25,9 @@ namespace {
 constexpr std::size_t kBlock = kDeflateBlock;
 /// Bits of a word. Deflate allows 15, but then only 3 words fit between two flushes.
 constexpr std::uint32_t kLongestWord = 14;
-/// Matches of fewer bytes are not looked for, even where literals are dear; nor, where they cost
-/// almost nothing, are more bytes asked of a match.
+/// A match must have at least this many bytes, however many bits a literal takes, ...
 constexpr std::size_t kFewestAsked = 5;
+/// ... and never needs more than this many, however few it takes.
 constexpr std::size_t kMostAsked = 32;
 
 /// How often what occurs in a block.

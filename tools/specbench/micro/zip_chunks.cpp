@@ -28,7 +28,8 @@ class ExrFile {
     ExrFile& operator=(const ExrFile&) = delete;
 
     std::size_t chunkCount() const {
-        return std::size_t((window_.max.y - window_.min.y) / chunkRows_ + 1);
+        const int rows = window_.max.y - window_.min.y + 1;
+        return (std::size_t(rows) + std::size_t(chunkRows_) - 1) / std::size_t(chunkRows_);
     }
 
     ZipChunk inflated(std::size_t chunk) const {

@@ -8,7 +8,7 @@ namespace specbake::internal {
 
 /// "Reordering and predictor" of the OpenEXR file layout document: the bytes at even places, then
 /// those at odd ones, each as its difference to the one before it, plus 128. The first stays as it
-/// is. Both spans are as long, and apart.
+/// is. The spans have the same length and do not overlap.
 void splitAndPredict(std::span<const std::uint8_t> samples, std::span<std::uint8_t> predicted);
 
 /// Undoes splitAndPredict().
