@@ -1,4 +1,6 @@
 #include "pipeline.h"
+#include "verify/histogram.h"
+#include "verify/stated_model.h"
 
 #include <specbake/bake/verify.h>
 #include <specbake/core/ciede2000.h>
@@ -11,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -20,29 +21,6 @@ namespace specbake {
 using namespace internal;
 
 namespace {
-
-/// How many differences fall where, so that a percentile needs no list of all texels.
-class Histogram {
-  public:
-    void add(double value) {
-        const double bin = std::min(std::ceil(value / kWidth), double(kBins - 1));
-        count_[std::size_t(bin)].fetch_add(1, std::memory_order_relaxed);
-    }
-    /// The upper end of the bin in which that share of the values is reached.
-    double percentile(double share, std::size_t total) const {
-        std::size_t below = 0;
-        for (std::size_t i = 0; i < kBins; ++i) {
-            below += count_[i];
-            if (double(below) >= share * double(total)) return double(i) * kWidth;
-        }
-        return 0;
-    }
-
-  private:
-    static constexpr double kWidth = 1e-4;
-    static constexpr std::size_t kBins = 200'000;  ///< beyond a difference of 20 none is told apart
-    std::vector<std::atomic<std::size_t>> count_ = std::vector<std::atomic<std::size_t>>(kBins);
-};
 
 /// Rows of both files on their way through the pipeline, and what was found in them.
 struct Rows {
@@ -59,7 +37,8 @@ class Comparison {
                const VerifyOptions& options)
         : spectral_(spectral),
           texture_(texture),
-          upsampler_(spaceOf(options), modelOf(options)),
+          upsampler_(statedSpace(spectral_, texture_.info(), options),
+                     statedModel(spectral_, options)),
           decoder_(texture_.info(), upsampler_.space()) {
         if (spectral_.header().data.width != width() ||
             spectral_.header().data.height != height()) {
@@ -84,24 +63,6 @@ class Comparison {
     int width() const { return texture_.info().data.width; }
     int height() const { return texture_.info().data.height; }
     int rowCount(int i) const { return std::min(kRows, height() - i * kRows); }
-
-    ColorSpace spaceOf(const VerifyOptions& options) const {
-        const auto name = options.space ? options.space : spectral_.text("specbake:colorspace");
-        if (!name || *name == "custom") return texture_.info().automaticSpace;
-        const ColorSpace* space = findColorSpace(*name);
-        if (space == nullptr) throw ArgumentError("unknown colour space '" + *name + "'");
-        return *space;
-    }
-
-    /// The file's rule for colours outside, under its light. No colour is solved.
-    UpsamplerOptions modelOf(const VerifyOptions& options) const {
-        UpsamplerOptions model;
-        model.illuminant =
-            options.illuminant ? options.illuminant : spectral_.text("specbake:illuminant");
-        const auto rule = spectral_.text("specbake:outside");
-        if (rule) model.outside = outsideFromName(*rule).value_or(model.outside);
-        return model;
-    }
 
     void read(int i) {
         Rows& rows = rows_[std::size_t(i)];
