@@ -131,9 +131,9 @@ Attainable Upsampler::attainable(const XYZ& asked) const {
 }
 
 ColorAnswer Upsampler::solve(const XYZ& asked) const {
-    ColorResolver::Resolved resolved = parts_->resolver.resolve(asked);
+    const ColorResolver::Resolved resolved = parts_->resolver.resolve(asked);
     ColorAnswer answer;
-    answer.solution = std::move(resolved.solution);
+    answer.solution = resolved.solution;
     answer.asked = asked;
     answer.given = resolved.given;
     answer.gauge = solid().gauge(asked);
