@@ -48,6 +48,9 @@ if(TARGET specbake)
   install(TARGETS specbake_openimageio_module
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/specbake)
 endif()
+# Licences that go with every copy.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/data/NOTICE.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(cmake/specbakeConfig.cmake.in specbakeConfig.cmake
                               INSTALL_DESTINATION ${destination})

@@ -33,6 +33,9 @@ void runStability(const Options& options);
 void runScene(const Options& options);
 /// The spectra of a dozen measured colours by every method: spectra.*.
 void runSpectra(const Options& options);
+/// Measured sets rebuilt from their colours, each without its own votes: nature.*, and the table of
+/// docs/nature.md.
+void runNature(const Options& options);
 /// Whether any colour of the solid fails, and how steep spectra get: exhaustive.*. `full`: 10^6
 /// colours of the solid, 10^5 of each other set. Throws Error if a colour fails.
 void runExhaustive(const Options& options);

@@ -4,11 +4,11 @@
 #include "figures.h"
 #include "measures.h"
 #include "methods/frame.h"
-#include "solve/shell.h"
 #include "statistics.h"
 #include "tasks.h"
 
 #include <specbake/core/error.h>
+#include <specbake/core/methods.h>
 #include <specbake/core/upsampler.h>
 #include <specbake/core/vector.h>
 
@@ -21,9 +21,10 @@
 
 namespace specbake::bench {
 
-using namespace internal;
-
 namespace {
+
+/// The methods that have a spectrum for every colour of the solid.
+constexpr std::array kExhausted = {"smooth", "natural"};
 
 /// Blue is drawn first: the figures of docs/method.md are those of these colours.
 RGB blueFirst(Generator& random, double low, double high) {
@@ -138,13 +139,13 @@ Spectrum bakedSpectrum(const Upsampler& upsampler, const RGB& rgb) {
     return spectrum;
 }
 
-void addOutcome(Figures& figures, const char* illuminant, const ColorSet& set,
+void addOutcome(Figures& figures, const MethodName& method, const ColorSet& set,
                 const Outcome& outcome) {
-    fmt::print("{:<4} {:<24} {:>8} colours: {} failed, residual {:.2g}, outside [0, 1] by {:.2g}\n",
-               illuminant, set.name, set.colors.size(), outcome.failed, outcome.residual,
+    fmt::print("{:<12} {:<24} {:>8} colours: {} failed, residual {:.2g}, outside by {:.2g}\n",
+               method.full(), set.name, set.colors.size(), outcome.failed, outcome.residual,
                outcome.violation);
     const auto add = [&](const char* quantity, double value, const char* unit) {
-        figures.add({set.name, {"smooth", illuminant}, quantity, value, unit, {}, ""});
+        figures.add({set.name, method, quantity, value, unit, {}, ""});
     };
     add("colours", double(set.colors.size()), "1");
     add("failed", double(outcome.failed), "1");
@@ -198,11 +199,14 @@ std::array<PairSet, 3> pairSets(std::size_t count) {
     return sets;
 }
 
-void addContinuity(Figures& figures, std::size_t count) {
+void addContinuity(Figures& figures, const std::string& name, std::size_t count) {
     const Frame frame = sRGBFrame();
-    const ShellSolver solver(frame.observer);
-    const Upsampler upsampler(frame.space);
-    const auto directly = [&](const RGB& rgb) { return solver.solve(frame.xyz(rgb)).spectrum; };
+    UpsamplerOptions options;
+    options.method = name;
+    const Upsampler upsampler(frame.space, options);
+    const auto directly = [&](const RGB& rgb) {
+        return upsampler.solve(frame.xyz(rgb)).solution.spectrum;
+    };
     const auto throughGrid = [&](const RGB& rgb) { return bakedSpectrum(upsampler, rgb); };
     for (const PairSet& set : pairSets(count)) {
         const auto measure = [&](const std::string& way, const auto& spectrumOf) {
@@ -212,9 +216,9 @@ void addContinuity(Figures& figures, std::size_t count) {
                                  (pair.a - pair.b).length());
             }
             const double high = quantile(slopes, 0.999);
-            fmt::print("{:<24} {:<10} slope: p99.9 {:.3g}, max {:.3g}\n", set.name, way, high,
-                       largest(slopes));
-            const MethodName method{"smooth", way};
+            const MethodName method{name, way};
+            fmt::print("{:<20} {:<24} slope: p99.9 {:.3g}, max {:.3g}\n", method.full(), set.name,
+                       high, largest(slopes));
             figures.add({set.name, method, "slope p99.9", high, "reflectance per RGB", {}, ""});
             figures.add(
                 {set.name, method, "slope max", largest(slopes), "reflectance per RGB", {}, ""});
@@ -231,15 +235,20 @@ void runExhaustive(const Options& options) {
     std::size_t failed = 0;
     for (const char* illuminant : {"D65", "D60", "E"}) {
         const Observer observer(illuminant);
-        const ShellSolver solver(observer);
-        const auto sets = setsOf(observer, solver.solid(), options.full ? 100'000 : 10'000);
-        const std::vector<Outcome> outcomes = solveAll(solver, observer, sets);
-        for (std::size_t s = 0; s < sets.size(); ++s) {
-            addOutcome(figures, illuminant, sets[s], outcomes[s]);
-            failed += outcomes[s].failed;
+        const Solid solid(observer);
+        const auto sets = setsOf(observer, solid, options.full ? 100'000 : 10'000);
+        for (const char* name : kExhausted) {
+            const auto solver = findMethod(name)->makeSolver(observer, solid, SolverUse::gridNodes);
+            const std::vector<Outcome> outcomes = solveAll(*solver, observer, sets);
+            for (std::size_t s = 0; s < sets.size(); ++s) {
+                addOutcome(figures, {name, illuminant}, sets[s], outcomes[s]);
+                failed += outcomes[s].failed;
+            }
         }
     }
-    addContinuity(figures, options.full ? 100'000 : 10'000);
+    for (const char* name : kExhausted) {
+        addContinuity(figures, name, options.full ? 100'000 : 10'000);
+    }
     figures.write(options.out);
     if (failed > 0) throw Error(fmt::format("{} colours were not solved", failed));
 }

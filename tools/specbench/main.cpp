@@ -2,7 +2,10 @@
 //
 //     specbench charts|accuracy|stability|scene|spectra|exhaustive [--out DIR] [--full]
 //               [--reflectances FILE...] [--textures FILE...]
+//     specbench nature [--out DIR] [--reflectances FILE...]
+//     specbench fit natural --data DIR -o FILE
 #include "commands.h"
+#include "fit/natural_samples.h"
 
 #include <specbake/core/error.h>
 
@@ -33,6 +36,20 @@ void addCommand(CLI::App& app, const char* name, const char* help, Command comma
     sub->callback([command, &chosen] { chosen = command; });
 }
 
+struct FitArguments {
+    std::string folder;
+    std::string output;
+};
+
+CLI::App* addFit(CLI::App& app, FitArguments& arguments) {
+    CLI::App* fit = app.add_subcommand("fit", "make what a method has built in");
+    fit->require_subcommand(1);
+    CLI::App* natural = fit->add_subcommand("natural", "the measured samples of `natural`");
+    natural->add_option("--data", arguments.folder, "folder of refl_*.csv")->required();
+    natural->add_option("-o,--output", arguments.output, "CSV to write")->required();
+    return natural;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -48,6 +65,10 @@ int main(int argc, char** argv) {
                options, chosen);
     addCommand(app, "exhaustive", "whether any colour of the solid fails", runExhaustive, options,
                chosen);
+    addCommand(app, "nature", "measured sets rebuilt, each without its own votes", runNature,
+               options, chosen);
+    FitArguments fitting;
+    const CLI::App* fit = addFit(app, fitting);
     addCommand(app, "charts", "all of these, then the charts", runCharts, options, chosen);
     try {
         app.parse(argc, argv);
@@ -55,7 +76,11 @@ int main(int argc, char** argv) {
         return app.exit(error) == 0 ? done : wrongCommand;
     }
     try {
-        chosen(options);
+        if (fit->parsed()) {
+            fitNatural(fitting.folder, fitting.output);
+        } else {
+            chosen(options);
+        }
     } catch (const std::exception& error) {
         fmt::print(stderr, "specbench: {}\n", error.what());
         return couldNot;

@@ -1,6 +1,6 @@
 // Build step: turns the CSV tables of data/ into one C++ source file (see tables.h).
 //
-//     embed_tables CMF.csv ILLUMINANTS.csv OUT.cpp
+//     embed_tables CMF.csv ILLUMINANTS.csv REFLECTANCES.csv OUT.cpp
 #include <cstdint>
 #include <fstream>
 #include <iostream>
@@ -24,6 +24,11 @@ std::vector<Row> readCsv(const std::string& path) {
         for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
         rows.push_back(row);
     }
+    return rows;
+}
+
+std::vector<Row> readBands(const std::string& path) {
+    std::vector<Row> rows = readCsv(path);
     if (rows.size() != 82) throw std::runtime_error(path + ": a heading and 81 rows expected");
     return rows;
 }
@@ -63,15 +68,30 @@ void writeTables(const std::vector<Row>& cmf, const std::vector<Row>& light, std
         for (std::size_t i = 1; i < light.size(); ++i) out << light[i].at(column) << ", ";
         out << "}},\n";
     }
-    out << "};\n\n}  // namespace specbake::internal::tables\n";
+    out << "};\n\n";
+}
+
+/// Rows of set, name, material, and 81 integers.
+void writeReflectances(const std::vector<Row>& rows, std::ostream& out) {
+    out << "static constexpr ReflectanceTable kReflectances[] = {\n";
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const Row& row = rows[i];
+        if (row.size() != 84) throw std::runtime_error(row.at(0) + ": a row of 84 cells expected");
+        out << "    {\"" << row[0] << "\", \"" << row[1] << "\", \"" << row[2] << "\", {";
+        for (std::size_t cell = 3; cell < row.size(); ++cell) out << row[cell] << ", ";
+        out << "}},\n";
+    }
+    out << "};\nconst std::span<const ReflectanceTable> reflectances = kReflectances;\n\n";
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-    if (argc != 4) throw std::runtime_error("usage: embed_tables CMF ILLUMINANTS OUT");
-    std::ofstream out(argv[3]);
-    writeTables(readCsv(argv[1]), readCsv(argv[2]), out);
+    if (argc != 5) throw std::runtime_error("usage: embed_tables CMF LIGHTS REFLECTANCES OUT");
+    std::ofstream out(argv[4]);
+    writeTables(readBands(argv[1]), readBands(argv[2]), out);
+    writeReflectances(readCsv(argv[3]), out);
+    out << "}  // namespace specbake::internal::tables\n";
     return out ? 0 : 1;
 } catch (const std::exception& error) {
     std::cerr << "embed_tables: " << error.what() << '\n';

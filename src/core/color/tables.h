@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,5 +21,13 @@ struct IlluminantTable {
     std::array<double, kBandCount> power;  ///< relative spectral power
 };
 extern const std::vector<IlluminantTable> illuminants;
+
+/// A measured reflectance of data/natural.csv: tables of one set follow each other.
+struct ReflectanceTable {
+    std::string_view set, name, material;
+    std::array<std::uint16_t, kBandCount> value;  ///< in units of 1/kReflectanceScale
+};
+inline constexpr double kReflectanceScale = 1e4;
+extern const std::span<const ReflectanceTable> reflectances;
 
 }  // namespace specbake::internal::tables

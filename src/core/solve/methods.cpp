@@ -1,4 +1,5 @@
 #include "solve/descent/descent_method.h"
+#include "solve/natural/natural.h"
 #include "solve/shell.h"
 
 #include <specbake/core/methods.h>
@@ -17,8 +18,14 @@ std::shared_ptr<const Solver> makeSmooth(const Observer& observer, const Solid& 
     return std::make_shared<const ShellSolver>(observer, solid);
 }
 
+std::shared_ptr<const Solver> makeNatural(const Observer& observer, const Solid& solid,
+                                          SolverUse use) {
+    return std::make_shared<const NaturalSolver>(observer, makeSmooth(observer, solid, use));
+}
+
 constexpr std::array kMethods = {
     Method{"smooth", "the smoothest spectrum", makeSmooth},
+    Method{"natural", "the smoothest, moved towards measured surfaces", makeNatural},
     Method{"descent", "steepest descent in the box", internal::makeDescent},
 };
 

@@ -1,0 +1,44 @@
+#include "solve/natural/measured_set.h"
+
+#include "color/tables.h"
+
+#include <algorithm>
+
+namespace specbake::internal {
+namespace {
+
+MeasuredSample sampleOf(const tables::ReflectanceTable& table) {
+    MeasuredSample sample{std::string(table.name), std::string(table.material), {}};
+    for (std::size_t m = 0; m < sample.reflectance.size(); ++m) {
+        sample.reflectance[m] = table.value[m] / tables::kReflectanceScale;
+    }
+    return sample;
+}
+
+std::vector<MeasuredSet> unpacked() {
+    std::vector<MeasuredSet> sets;
+    for (const tables::ReflectanceTable& table : tables::reflectances) {
+        if (sets.empty() || sets.back().name != table.set) {
+            sets.push_back({std::string(table.set), {}});
+        }
+        sets.back().samples.push_back(sampleOf(table));
+    }
+    return sets;
+}
+
+}  // namespace
+
+const std::vector<MeasuredSet>& builtInSets() {
+    static const std::vector<MeasuredSet> sets = unpacked();
+    return sets;
+}
+
+std::vector<MeasuredSet> builtInSetsWithout(std::span<const std::string_view> names) {
+    std::vector<MeasuredSet> sets = builtInSets();
+    std::erase_if(sets, [&](const MeasuredSet& set) {
+        return std::ranges::find(names, set.name) != names.end();
+    });
+    return sets;
+}
+
+}  // namespace specbake::internal

@@ -1,0 +1,97 @@
+#include "solve/natural/vote.h"
+
+#include "solve/natural/place.h"
+
+#include <cmath>
+
+namespace specbake::internal {
+namespace {
+
+double square(double x) {
+    return x * x;
+}
+
+void addTo(Spectrum& sum, double weight, const Spectrum& s) {
+    for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += weight * s[m];
+}
+
+void scale(Spectrum& s, double factor) {
+    for (double& value : s) value *= factor;
+}
+
+/// |a − b|²
+double squaredDistance(const Spectrum& a, const Spectrum& b) {
+    double sum = 0;
+    for (std::size_t m = 0; m < a.size(); ++m) sum += square(a[m] - b[m]);
+    return sum;
+}
+
+/// φ: 0 for greys and for black.
+double fade(const Imath::V3d& place) {
+    constexpr double halfChroma = 2;
+    constexpr double halfLightness = 10.0 / 2;  // of L*/2
+    const double chroma = square(place.y) + square(place.z);
+    const double lightness = square(place.x);
+    return chroma / (chroma + square(halfChroma)) * lightness / (lightness + square(halfLightness));
+}
+
+}  // namespace
+
+Vote::Vote(const Observer& observer, const Solver& solver, const std::vector<MeasuredSet>& sets)
+    : white_(observer.white()) {
+    for (const MeasuredSet& set : sets) {
+        std::vector<Black>& blacks = sets_.emplace_back();
+        for (const MeasuredSample& sample : set.samples) {
+            const XYZ color = observer.color(sample.reflectance);
+            const Solution solution = solver.solve(color);
+            if (!solution.solved()) continue;
+            Black& black = blacks.emplace_back();
+            black.place = placeOf(color, white_);
+            black.difference = sample.reflectance;
+            addTo(black.difference, -1, solution.spectrum);
+        }
+    }
+}
+
+Vote::LocalMean Vote::localMean(const std::vector<Black>& set, const Imath::V3d& place) {
+    constexpr double negligible = 0x1p-60;  // of a vote that changes a reflectance by 1 at most
+    const double farthest = -2 * square(kWidth) * std::log(negligible);
+    LocalMean local;
+    double mass = 0;  // m_j
+    for (const Black& black : set) {
+        const double distance = (place - black.place).length2();
+        if (distance > farthest) continue;
+        const double weight = std::exp(-distance / (2 * square(kWidth)));  // K_k
+        mass += weight;
+        addTo(local.mean, weight, black.difference);
+    }
+    if (mass == 0) return local;
+    scale(local.mean, 1 / mass);
+    local.vote = mass / (mass + kHalfVote);
+    return local;
+}
+
+Spectrum Vote::at(const XYZ& color) const {
+    const Imath::V3d place = placeOf(color, white_);
+    std::vector<LocalMean> locals;
+    double votes = 0;  // Q
+    Spectrum mean{};   // b̄
+    for (const std::vector<Black>& set : sets_) {
+        const LocalMean& local = locals.emplace_back(localMean(set, place));
+        votes += local.vote;
+        addTo(mean, local.vote, local.mean);
+    }
+    if (votes == 0) return {};
+    scale(mean, 1 / votes);
+    double variance = 0;  // V
+    for (const LocalMean& local : locals) {
+        variance += local.vote * squaredDistance(local.mean, mean) / votes;
+    }
+    const double size = squaredDistance(mean, {});  // |b̄|²
+    if (size == 0) return {};
+    const double agreement = size / (size + kDoubt * variance / votes);
+    scale(mean, fade(place) * votes / (votes + kHalfBelief) * agreement);
+    return mean;
+}
+
+}  // namespace specbake::internal
