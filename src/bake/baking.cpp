@@ -160,10 +160,16 @@ void Baking::bakeRun(const Band& band, const Window& run, SampleType type, Buffe
     const std::size_t plane = samples.size() / std::size_t(sink_.channelCount());
     if (info.alpha) storeSamples(buffers.alpha, type, samples.data());
     const auto colorPlanes = samples.subspan(info.alpha ? plane : 0);
-    const auto target = SampleTarget::planar(type, colorPlanes.data(), plane);
-    census.add(upsampler_.sample(buffers.colors, channels_, target, buffers.upsampling),
-               std::size_t(run.y) * std::size_t(info.data.width) + std::size_t(run.x));
-    if (type == SampleType::half) roundMantissa(colorPlanes, bits_);
+    const auto first = std::size_t(run.y) * std::size_t(info.data.width) + std::size_t(run.x);
+    const bool fewer = type == SampleType::half && bits_ < BakeOptions::kMostMantissaBits;
+    buffers.unrounded.resize(fewer ? kTexelSamples * count : 0);
+    const auto target =
+        fewer ? SampleTarget::planar(SampleType::float32,
+                                     std::as_writable_bytes(std::span(buffers.unrounded)).data(),
+                                     count * sizeof(float))
+              : SampleTarget::planar(type, colorPlanes.data(), plane);
+    census.add(upsampler_.sample(buffers.colors, channels_, target, buffers.upsampling), first);
+    if (fewer) storeRounded(buffers.unrounded, bits_, colorPlanes.data());
 }
 
 void Baking::writeBand(Band& band) {

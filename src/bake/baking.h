@@ -37,6 +37,7 @@ class Baking {
     struct Buffers {
         std::vector<std::array<float, 3>> colors;
         std::vector<float> alpha;
+        std::vector<float> unrounded;  ///< samples, where they get fewer bits than a half has
         Upsampler::Workspace upsampling;
     };
     /// Samples of some neighbours in one row, plane by plane.

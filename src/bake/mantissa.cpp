@@ -1,22 +1,33 @@
 #include "mantissa.h"
 
+#include <Imath/half.h>
+
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
 namespace specbake::internal {
+namespace {
 
-/// On a half's bits as an integer: a carry out of the mantissa raises the exponent, as it should.
-void roundMantissa(std::span<std::byte> halves, int bits) {
-    const int dropped = BakeOptions::kMostMantissaBits - bits;
-    if (dropped <= 0) return;
-    const unsigned belowHalf = (1U << (dropped - 1)) - 1;
-    const unsigned kept = ~((1U << dropped) - 1);
-    for (std::size_t i = 0; i + 1 < halves.size(); i += 2) {
-        std::uint16_t half;
-        std::memcpy(&half, &halves[i], sizeof half);
-        const unsigned odd = unsigned(half) >> dropped & 1U;
-        half = std::uint16_t((half + belowHalf + odd) & kept);
-        std::memcpy(&halves[i], &half, sizeof half);
+/// The nearest multiple of q = 2^(e - bits), 2^e being the power of 2 below the value, or 2^-14,
+/// below which halves have fixed steps. Floats of [2^23 q, 2^24 q) are the multiples of q: so the
+/// sum with 2^23 q rounds to one, by the processor's own rule, and the difference is exact.
+float rounded(float value, std::uint32_t bits) {
+    constexpr std::uint32_t mantissa = 23;
+    constexpr std::uint32_t leastExponent = 127 - 14;
+    const std::uint32_t exponent =
+        std::max(std::bit_cast<std::uint32_t>(value) >> mantissa, leastExponent);
+    const auto large = std::bit_cast<float>((exponent + mantissa - bits) << mantissa);
+    return (value + large) - large;
+}
+
+}  // namespace
+
+void storeRounded(std::span<const float> values, int bits, std::byte* halves) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Imath::half half = rounded(values[i], std::uint32_t(bits));
+        std::memcpy(halves + i * sizeof half, &half, sizeof half);
     }
 }
 

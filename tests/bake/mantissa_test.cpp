@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <random>
 #include <vector>
 
 using namespace specbake;
@@ -12,12 +13,12 @@ using namespace specbake::internal;
 
 namespace {
 
-Imath::half rounded(Imath::half value, int bits) {
-    std::vector<std::byte> bytes(sizeof value);
-    std::memcpy(bytes.data(), &value, sizeof value);
-    roundMantissa(bytes, bits);
-    std::memcpy(&value, bytes.data(), sizeof value);
-    return value;
+double rounded(float value, int bits) {
+    Imath::half half;
+    std::byte bytes[sizeof half];
+    storeRounded({&value, 1}, bits, bytes);
+    std::memcpy(&half, bytes, sizeof half);
+    return double(float(half));
 }
 
 /// By the definition: the nearest multiple of 2^(e - bits), 2^e the power of two below the value
@@ -37,10 +38,28 @@ TEST_CASE("every half in [0, 1], to any number of bits, is rounded as defined") 
         Imath::half value;
         for (unsigned code = 0; code <= 0x3c00; ++code) {
             value.setBits(static_cast<unsigned short>(code));
-            const double result = double(float(rounded(value, bits)));
+            const double result = rounded(value, bits);
             REQUIRE(result == expected(double(float(value)), bits));
             REQUIRE(result >= 0);
             REQUIRE(result <= 1);
+        }
+    }
+}
+
+TEST_CASE("floats are rounded once: those between two halves too, and their ties") {
+    std::mt19937_64 engine(41);
+    std::uniform_real_distribution<float> size(-30, 1);
+    for (int bits = 1; bits <= BakeOptions::kMostMantissaBits; ++bits) {
+        CAPTURE(bits);
+        for (int i = 0; i < 20000; ++i) {
+            const float value = std::exp2(size(engine));
+            REQUIRE(rounded(value, bits) == expected(double(value), bits));
+        }
+        // Just beside the middle of two results, by less than a half can tell.
+        const float middle = 0.5F + std::ldexp(1.0F, -bits - 2);
+        for (const float value :
+             {std::nextafter(middle, 0.0F), middle, std::nextafter(middle, 1.0F)}) {
+            CHECK(rounded(value, bits) == expected(double(value), bits));
         }
     }
 }

@@ -34,8 +34,7 @@ Spectrum unrounded(Bands bands) {
 
 Spectrum rounded(Bands bands, int bits) {
     std::array<Imath::half, kBandCount> halves;
-    std::copy(bands.begin(), bands.end(), halves.begin());
-    roundMantissa(std::as_writable_bytes(std::span(halves)), bits);
+    storeRounded(bands, bits, std::as_writable_bytes(std::span(halves)).data());
     Spectrum spectrum;
     std::copy(halves.begin(), halves.end(), spectrum.begin());
     return spectrum;

@@ -36,8 +36,11 @@ std::vector<std::byte> LevelTiles::samplesOf(const TileRow& row, const Window& t
         for (std::size_t c = 0; c < channels; ++c, to += plane) {
             const auto run =
                 std::span(*values).subspan(c * levelWidth + std::size_t(texels.x), width);
-            storeSamples(run, sink_.sampleType(), to);
-            if (half && !(sink_.alpha() && c == 0)) roundMantissa({to, plane}, bits_);
+            if (half && !(sink_.alpha() && c == 0)) {
+                storeRounded(run, bits_, to);
+            } else {
+                storeSamples(run, sink_.sampleType(), to);
+            }
         }
     }
     return samples;
