@@ -2,7 +2,9 @@
 #include "commands.h"
 #include "thread_pool.h"
 
+#include <specbake/bake/compare_spectra.h>
 #include <specbake/bake/verify.h>
+#include <specbake/core/error.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -10,47 +12,109 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace specbake::tool {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct Arguments {
     std::string spectral;
     std::string texture;
+    std::string reference;
     VerifyOptions options;
-    double maxDE = 0.5;
+    std::optional<double> maxDE;
+    double maxBand = 0.001;
     bool json = false;
     bool quiet = false;
 };
 
-void printJson(const Verification& v) {
-    const nlohmann::ordered_json json = {
+Json jsonOf(const Verification& v) {
+    return {
         {"texels", v.texels},
+        {"illuminant", v.illuminant},
         {"de2000", {{"mean", v.meanDE2000}, {"p99", v.p99DE2000}, {"max", v.maxDE2000}}},
         {"xyz_max_abs", v.maxXYZDifference},
+        {"beyond_rounding", v.beyondRounding},
+        {"not_finite", v.notFinite},
         {"out_of_range", v.outOfRange},
         {"outside_solid", v.outsideSolid},
+        {"preview",
+         {{"beyond_rounding", v.previewBeyondRounding}, {"max_abs", v.maxPreviewDifference}}},
+        {"alpha", {{"beyond_rounding", v.alphaBeyondRounding}, {"max_abs", v.maxAlphaDifference}}},
         {"worst", {v.worstX, v.worstY}}};
-    std::cout << json.dump(2) << '\n';
 }
 
-void printText(const Verification& v) {
+Json jsonOf(const SpectralDifference& d) {
+    return {
+        {"texels", d.texels},        {"max_abs", d.largest},          {"rms", d.rms},
+        {"not_finite", d.notFinite}, {"worst", {d.worstX, d.worstY}}, {"worst_nm", d.worstBand}};
+}
+
+/// One more reason why a file does not pass, if any texel has it.
+void complain(const Arguments& a, std::size_t texels, const std::string& what) {
+    if (texels > 0) std::printf("%s: %zu texels %s\n", a.spectral.c_str(), texels, what.c_str());
+}
+
+std::string upTo(double difference) {
+    char text[32];
+    std::snprintf(text, sizeof text, " (off by up to %.2g)", difference);
+    return text;
+}
+
+void printText(const Arguments& a, const Verification& v) {
     std::printf(
-        "%zu texels: CIEDE2000 mean %.4f, p99 %.4f, max %.4f at (%zu, %zu); "
+        "%s: %zu texels under %s: CIEDE2000 mean %.4f, p99 %.4f, max %.4f at (%zu, %zu); "
         "largest |dXYZ| %.2e; %zu samples outside [0, 1]; %zu colours outside the solid\n",
-        v.texels, v.meanDE2000, v.p99DE2000, v.maxDE2000, v.worstX, v.worstY, v.maxXYZDifference,
-        v.outOfRange, v.outsideSolid);
+        a.spectral.c_str(), v.texels, v.illuminant.c_str(), v.meanDE2000, v.p99DE2000, v.maxDE2000,
+        v.worstX, v.worstY, v.maxXYZDifference, v.outOfRange, v.outsideSolid);
+    complain(a, v.notFinite, "have a number that is not finite, here or in " + a.texture);
+    complain(a, v.beyondRounding,
+             "differ by more than the rounding of the samples: from another texture, or under "
+             "another light or in another space than the file names");
+    complain(a, v.previewBeyondRounding,
+             "have a preview (R, G, B) that is not the colour of their bands" +
+                 upTo(v.maxPreviewDifference));
+    complain(a, v.alphaBeyondRounding,
+             "have another alpha than in " + a.texture + upTo(v.maxAlphaDifference));
+}
+
+void printText(const Arguments& a, const SpectralDifference& d) {
+    std::printf("%s: %zu texels beside %s: bands differ by %.2e RMS, %.2e at most",
+                a.spectral.c_str(), d.texels, a.reference.c_str(), d.rms, d.largest);
+    if (d.largest > 0) std::printf(", at (%zu, %zu), %d nm", d.worstX, d.worstY, d.worstBand);
+    std::printf("\n");
+    complain(a, d.notFinite, "have a number that is not finite, here or in " + a.reference);
+}
+
+/// Prints what was found as the user wants it; `json` gathers it by a name.
+template <class Found>
+void show(const Arguments& a, const Found& found, const char* name, Json& json) {
+    json[name] = jsonOf(found);
+    if (!a.json && !a.quiet) printText(a, found);
 }
 
 ExitCode verifyCommand(const Arguments& a) {
-    const ThreadPool pool(a.options.threads);
-    const Verification v = verify(a.spectral, a.texture, a.options);
-    if (a.json) {
-        printJson(v);
-    } else if (!a.quiet) {
-        printText(v);
+    if (a.texture.empty() && a.reference.empty()) {
+        throw ArgumentError("verify: a texture, or --spectra REFERENCE, is needed to compare with");
     }
-    return v.maxDE2000 <= a.maxDE && v.outOfRange == 0 ? kDone : kDifferent;
+    const ThreadPool pool(a.options.threads);
+    Json json;
+    bool passed = true;
+    if (!a.texture.empty()) {
+        const Verification v = verify(a.spectral, a.texture, a.options);
+        show(a, v, "colors", json);
+        passed = v.passes(a.maxDE);
+    }
+    if (!a.reference.empty()) {
+        const SpectralDifference d = compareSpectra(a.spectral, a.reference, a.options.threads);
+        show(a, d, "spectra", json);
+        passed = d.passes(a.maxBand) && passed;
+    }
+    // What stood alone before spectra could be compared still does.
+    if (a.json) std::cout << (a.reference.empty() ? json["colors"] : json).dump(2) << '\n';
+    return passed ? kDone : kDifferent;
 }
 
 }  // namespace
@@ -58,16 +122,29 @@ ExitCode verifyCommand(const Arguments& a) {
 Command addVerify(CLI::App& program) {
     auto a = std::make_shared<Arguments>();
     CLI::App* command = program.add_subcommand(
-        "verify", "Integrates a spectral image and compares it with its texture");
+        "verify", "Compares a spectral image with its texture, or with another spectral image");
+    command->footer(
+        "With a texture: integrates the bands and compares the colours, the preview and the "
+        "alpha.\n"
+        "What no colour shows, such as 380 nm, only --spectra does. Exit code 3 if the file does\n"
+        "not pass; a number that is not finite never passes.");
     command->add_option("spectral", a->spectral, "spectral image")->required();
-    command->add_option("texture", a->texture, "the texture that it was made from")->required();
-    command->add_option("--max-de", a->maxDE, "exit 3 if a texel differs by more (CIEDE2000)")
+    command->add_option("texture", a->texture, "the texture that it was made from");
+    command
+        ->add_option("--max-de", a->maxDE,
+                     "exit 3 if a texel differs by more (CIEDE2000); without it, by more than the "
+                     "rounding of the file's samples explains, or by more than 0.5")
+        ->check(CLI::NonNegativeNumber);
+    auto* spectra = command->add_option("--spectra", a->reference,
+                                        "compare band by band with this spectral image");
+    command->add_option("--max-band", a->maxBand, "exit 3 if a band of --spectra differs by more")
         ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
+        ->capture_default_str()
+        ->needs(spectra);
     command->add_option("--space", a->options.space,
-                        "colour space of the texture, if the file names none");
+                        "colour space of the texture, instead of the one that the file names");
     command->add_option("--illuminant", a->options.illuminant,
-                        "illuminant, if the file names none");
+                        "light, instead of the one that the file names");
     addThreads(*command, a->options.threads);
     command->add_flag("--json", a->json, "print the figures as JSON");
     command->add_flag("-q,--quiet", a->quiet, "print nothing: the exit code tells");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "verify/sample_rounding.h"
+
 #include <specbake/bake/verify.h>
 #include <specbake/core/color.h>
 #include <specbake/core/upsampler_options.h>
@@ -14,6 +16,13 @@ ColorSpace statedSpace(const SpectralReader& spectral, const TextureInfo& textur
                        const VerifyOptions& options);
 
 /// The light and the rule for colours outside by which the file was made. No colour is solved.
-UpsamplerOptions statedModel(const SpectralReader& spectral, const VerifyOptions& options);
+/// Throws FileError for a light, an observer or a rule of the file that is not known, ArgumentError
+/// for a light of the options.
+UpsamplerOptions statedModel(const std::string& path, const SpectralReader& spectral,
+                             const VerifyOptions& options);
+
+/// Of bands and preview: the type in which they are stored, and the bits that the file says it
+/// kept.
+SampleRounding statedRounding(const SpectralReader& spectral);
 
 }  // namespace specbake::internal

@@ -1,12 +1,11 @@
 #include "pipeline.h"
-#include "verify/histogram.h"
+#include "verify/largest_values.h"
 #include "verify/stated_model.h"
+#include "verify/texel_comparison.h"
 
 #include <specbake/bake/verify.h>
-#include <specbake/core/ciede2000.h>
 #include <specbake/core/error.h>
 #include <specbake/core/upsampler.h>
-#include <specbake/core/vector.h>
 #include <specbake/image/spectral_reader.h>
 #include <specbake/image/texel_decoder.h>
 #include <specbake/image/texture_reader.h>
@@ -24,11 +23,12 @@ namespace {
 
 /// Rows of both files on their way through the pipeline, and what was found in them.
 struct Rows {
-    std::vector<float> samples;
     std::vector<std::byte> texture;
-    double sumDE2000 = 0;
-    std::size_t worstTexel = 0;
-    Verification found;
+    std::vector<float> bands;
+    std::vector<float> alpha;    ///< of the spectral file, 1 where it has none
+    std::vector<float> preview;  ///< R, G, B; empty if the file has none
+    std::vector<TexelDifference> texels;
+    std::vector<SampleDifference> previews, alphas;
 };
 
 class Comparison {
@@ -37,13 +37,17 @@ class Comparison {
                const VerifyOptions& options)
         : spectral_(spectral),
           texture_(texture),
-          upsampler_(statedSpace(spectral_, texture_.info(), options),
-                     statedModel(spectral_, options)),
-          decoder_(texture_.info(), upsampler_.space()) {
-        if (spectral_.header().data.width != width() ||
-            spectral_.header().data.height != height()) {
+          model_(statedSpace(spectral_, texture_.info(), options),
+                 statedModel(spectral, spectral_, options)),
+          decoder_(texture_.info(), model_.space()),
+          texel_(model_, statedRounding(spectral_)),
+          alphaRounding_(roundingOf(spectral_.storedType(), 10)),
+          largest_(descendingRankOfP99(width() * std::size_t(height()))) {
+        const Window& window = spectral_.header().data;
+        if (std::size_t(window.width) != width() || window.height != height()) {
             throw FileError(spectral, "not of the size of " + texture);
         }
+        total_.illuminant = model_.observer().illuminant();
     }
 
     Verification run(int threads) {
@@ -52,94 +56,106 @@ class Comparison {
         runPipeline(
             count, {[&](int i) { read(i); }, [&](int i) { compare(i); }, [&](int i) { gather(i); }},
             threads, {});
-        if (total_.texels > 0) total_.meanDE2000 /= double(total_.texels);
-        total_.p99DE2000 = histogram_.percentile(0.99, total_.texels);
+        if (const std::size_t compared = total_.texels - total_.notFinite) {
+            total_.meanDE2000 /= double(compared);
+            total_.p99DE2000 = largest_.ranked(descendingRankOfP99(compared));
+        }
         return total_;
     }
 
   private:
     static constexpr int kRows = 16;
 
-    int width() const { return texture_.info().data.width; }
+    std::size_t width() const { return std::size_t(texture_.info().data.width); }
     int height() const { return texture_.info().data.height; }
     int rowCount(int i) const { return std::min(kRows, height() - i * kRows); }
 
     void read(int i) {
         Rows& rows = rows_[std::size_t(i)];
-        rows.samples.resize(std::size_t(rowCount(i)) * std::size_t(width()) * kBandCount);
-        spectral_.readRows(i * kRows, rowCount(i), rows.samples);
+        const std::size_t texels = std::size_t(rowCount(i)) * width();
+        rows.bands.resize(texels * kBandCount);
+        rows.alpha.resize(texels, 1.0F);
+        rows.preview.resize(spectral_.hasPreview() ? texels * kPreviewSamples : 0);
+        spectral_.readRows(i * kRows, rowCount(i), rows.bands, rows.alpha, rows.preview);
         rows.texture.resize(std::size_t(rowCount(i)) * texture_.info().bytesPerRow());
         texture_.readRows(i * kRows, rowCount(i), rows.texture);
     }
 
     void compare(int i) {
         Rows& rows = rows_[std::size_t(i)];
-        const std::size_t texels = std::size_t(rowCount(i)) * std::size_t(width());
+        const std::size_t texels = rows.alpha.size();
         std::vector<std::array<float, 3>> colors(texels);
-        std::vector<float> alpha(texels);
+        std::vector<float> alpha(texels, 1.0F);
         decoder_.decode(rows.texture, texels, colors.data(), alpha.data());
         for (std::size_t t = 0; t < texels; ++t) {
-            const RGB rgb{double(colors[t][0]), double(colors[t][1]), double(colors[t][2])};
-            compareTexel(rows, t, upsampler_.xyz(rgb));
+            const std::span<const float, kBandCount> bands(&rows.bands[t * kBandCount], kBandCount);
+            rows.texels.push_back(texel_.compare(colors[t], bands));
+            rows.alphas.push_back(compareAlpha(alpha[t], rows.alpha[t]));
+            if (rows.preview.empty()) continue;
+            const std::span<const float, 3> preview(&rows.preview[t * kPreviewSamples], 3);
+            rows.previews.push_back(texel_.comparePreview(preview, bands));
         }
-        rows.samples = {};
+        rows.bands = {};
         rows.texture = {};
     }
 
-    /// Beside the colour that the file had to give: that of the texel, or what the file's rule
-    /// for colours outside the solid makes of it.
-    void compareTexel(Rows& rows, std::size_t t, const XYZ& texel) {
-        const Attainable target = upsampler_.attainable(texel);
-        const XYZ& asked = target.color;
-        if (target.outside) ++rows.found.outsideSolid;
-        Spectrum s;
-        for (std::size_t m = 0; m < s.size(); ++m) {
-            const float sample = rows.samples[t * kBandCount + m];
-            if (!(sample >= 0 && sample <= 1)) ++rows.found.outOfRange;
-            s[m] = double(sample);
-        }
-        const Observer& observer = upsampler_.observer();
-        const XYZ given = observer.color(s);
-        const double difference =
-            ciede2000(labFromXYZ(asked, observer.white()), labFromXYZ(given, observer.white()));
-        ++rows.found.texels;
-        rows.sumDE2000 += difference;
-        histogram_.add(difference);
-        if (difference > rows.found.maxDE2000) {
-            rows.found.maxDE2000 = difference;
-            rows.worstTexel = t;
-        }
-        rows.found.maxXYZDifference =
-            std::max(rows.found.maxXYZDifference, largestComponent(asked - given));
+    SampleDifference compareAlpha(float asked, float stored) const {
+        const double off = std::abs(double(stored) - double(asked));
+        return {off, !(off <= alphaRounding_.of(double(stored)))};
     }
 
     /// In order, so that the mean does not depend on the threads.
     void gather(int i) {
         const Rows& rows = rows_[std::size_t(i)];
-        total_.texels += rows.found.texels;
-        total_.meanDE2000 += rows.sumDE2000;
-        total_.outOfRange += rows.found.outOfRange;
-        total_.outsideSolid += rows.found.outsideSolid;
-        total_.maxXYZDifference = std::max(total_.maxXYZDifference, rows.found.maxXYZDifference);
-        if (rows.found.maxDE2000 > total_.maxDE2000) {
-            total_.maxDE2000 = rows.found.maxDE2000;
-            const auto w = std::size_t(width());
-            total_.worstX = rows.worstTexel % w;
-            total_.worstY = rows.worstTexel / w + std::size_t(i) * kRows;
+        for (std::size_t t = 0; t < rows.texels.size(); ++t) {
+            const TexelDifference& found = rows.texels[t];
+            ++total_.texels;
+            total_.outOfRange += found.outOfRange;
+            total_.notFinite += found.finite ? 0 : 1;
+            if (found.finite) gatherTexel(found, std::size_t(i) * kRows * width() + t);
+        }
+        for (const SampleDifference& found : rows.previews) {
+            total_.previewBeyondRounding += found.beyondRounding ? 1 : 0;
+            total_.maxPreviewDifference = std::max(total_.maxPreviewDifference, found.size);
+        }
+        for (const SampleDifference& found : rows.alphas) {
+            total_.alphaBeyondRounding += found.beyondRounding ? 1 : 0;
+            total_.maxAlphaDifference = std::max(total_.maxAlphaDifference, found.size);
         }
         rows_[std::size_t(i)] = {};
     }
 
+    void gatherTexel(const TexelDifference& found, std::size_t texel) {
+        total_.meanDE2000 += found.de2000;
+        largest_.add(found.de2000);
+        total_.outsideSolid += found.outside ? 1 : 0;
+        total_.beyondRounding += found.beyondRounding ? 1 : 0;
+        total_.maxXYZDifference = std::max(total_.maxXYZDifference, found.xyz);
+        if (found.de2000 <= total_.maxDE2000) return;
+        total_.maxDE2000 = found.de2000;
+        total_.worstX = texel % width();
+        total_.worstY = texel / width();
+    }
+
     SpectralReader spectral_;
     TextureReader texture_;
-    Upsampler upsampler_;
+    Upsampler model_;
     TexelDecoder decoder_;
+    TexelComparison texel_;
+    SampleRounding alphaRounding_;
+    LargestValues largest_;
     std::vector<Rows> rows_;
-    Histogram histogram_;
     Verification total_;
 };
 
 }  // namespace
+
+bool Verification::passes(std::optional<double> maxDE) const {
+    const bool sound =
+        notFinite == 0 && outOfRange == 0 && previewBeyondRounding == 0 && alphaBeyondRounding == 0;
+    if (maxDE) return sound && maxDE2000 <= *maxDE;
+    return sound && beyondRounding == 0 && maxDE2000 <= kUsualLimit;
+}
 
 Verification verify(const std::string& spectral, const std::string& texture,
                     const VerifyOptions& options) {

@@ -4,6 +4,7 @@
 #include <specbake/core/error.h>
 #include <specbake/image/spectral_reader.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -37,13 +38,37 @@ std::array<int, kBandCount> bandChannels(const std::string& path,
     return channels;
 }
 
+/// Of R, G and B, the channels' indices in the file; nothing unless all three are there.
+std::optional<std::array<int, kPreviewSamples>> previewChannels(
+    const std::vector<std::string>& names) {
+    std::array<int, kPreviewSamples> channels{};
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const auto found = std::find(names.begin(), names.end(), std::string(1, "RGB"[i]));
+        if (found == names.end()) return {};
+        channels[i] = int(found - names.begin());
+    }
+    return channels;
+}
+
+/// Of each texel the samples of some channels, one after the other.
+template <std::size_t Count>
+void pick(std::span<const float> texels, std::size_t stride, const std::array<int, Count>& channels,
+          std::span<float> samples) {
+    for (std::size_t t = 0; t * stride < texels.size(); ++t) {
+        for (std::size_t i = 0; i < Count; ++i) {
+            samples[t * Count + i] = texels[t * stride + std::size_t(channels[i])];
+        }
+    }
+}
+
 }  // namespace
 
 struct SpectralReader::Implementation {
     Implementation(const std::string& name)
         : path(name),
           file(openImageFile(path)),
-          channels(bandChannels(path, file->description().channels)) {
+          channels(bandChannels(path, file->description().channels)),
+          preview(previewChannels(file->description().channels)) {
         const ImageDescription& d = file->description();
         header.data = d.data;
         header.display = d.display;
@@ -54,6 +79,7 @@ struct SpectralReader::Implementation {
     std::string path;
     std::unique_ptr<ImageFile> file;
     std::array<int, kBandCount> channels;
+    std::optional<std::array<int, kPreviewSamples>> preview;
     SpectralHeader header;
     std::vector<float> texels;
 };
@@ -71,25 +97,37 @@ StorageFacts SpectralReader::facts() const {
     return openImageIOParts(path).storageFacts(path);
 }
 
+TexelType SpectralReader::storedType() const {
+    return implementation_->file->description().sampleType;
+}
+
+std::vector<std::string> SpectralReader::channels() const {
+    std::vector<std::string> names = implementation_->file->description().channels;
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+bool SpectralReader::hasPreview() const {
+    return implementation_->preview.has_value();
+}
+
 std::optional<std::string> SpectralReader::text(const std::string& attribute) const {
     return implementation_->file->text(attribute);
 }
 
 void SpectralReader::readRows(int first, int count, std::span<float> samples,
-                              std::span<float> alpha) {
+                              std::span<float> alpha, std::span<float> preview) {
     Implementation& i = *implementation_;
     const auto channels = i.file->description().channels.size();
     const std::size_t texels = std::size_t(count) * std::size_t(i.header.data.width);
-    if (samples.size() < texels * kBandCount || (!alpha.empty() && alpha.size() < texels)) {
+    if (samples.size() < texels * kBandCount || (!alpha.empty() && alpha.size() < texels) ||
+        (!preview.empty() && preview.size() < texels * kPreviewSamples)) {
         throw ArgumentError("a buffer too small for its rows");
     }
     i.texels.resize(texels * channels);
     i.file->readRows(first, count, TexelType::float32, std::as_writable_bytes(std::span(i.texels)));
-    for (std::size_t t = 0; t < texels; ++t) {
-        for (std::size_t band = 0; band < kBandCount; ++band) {
-            samples[t * kBandCount + band] = i.texels[t * channels + std::size_t(i.channels[band])];
-        }
-    }
+    pick(i.texels, channels, i.channels, samples);
+    if (i.preview && !preview.empty()) pick(i.texels, channels, *i.preview, preview);
     const std::optional<int> opacity = i.file->description().alpha;
     for (std::size_t t = 0; opacity && t < alpha.size(); ++t) {
         alpha[t] = i.texels[t * channels + std::size_t(*opacity)];

@@ -36,7 +36,8 @@ class ImageFile {
 
     const ImageDescription& description() const { return description_; }
 
-    /// A string attribute under the name by which OpenImageIO knows it, or nothing.
+    /// A string attribute, or an integer in decimal, under the name by which OpenImageIO knows it;
+    /// or nothing.
     virtual std::optional<std::string> text(const std::string& attribute) const = 0;
 
     /// Rows [first, first + count) of the data window, counted from 0, channels interleaved, as

@@ -81,8 +81,9 @@ class OpenImageIOFile : public ImageFile {
         : ImageFile(describe(*source)), source_(std::move(source)) {}
 
     std::optional<std::string> text(const std::string& attribute) const override {
-        const auto* value = source_->spec().find_attribute(attribute, OIIO::TypeString);
+        const auto* value = source_->spec().find_attribute(attribute);
         if (value == nullptr) return {};
+        if (value->type() != OIIO::TypeString && value->type() != OIIO::TypeInt) return {};
         return value->get_string();
     }
 

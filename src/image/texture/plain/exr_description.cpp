@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string>
 #include <string_view>
 
 namespace specbake::internal {
@@ -28,7 +29,10 @@ bool takeOver(const exr_attribute_t& attribute, ExrDescription& description) {
         return true;
     }
     const bool ours = own.contains(name) || name.starts_with("specbake:");
-    if (ours && attribute.type == EXR_ATTR_INT) return true;
+    if (ours && attribute.type == EXR_ATTR_INT) {
+        description.texts[std::string(name)] = std::to_string(attribute.i);
+        return true;
+    }
     if (attribute.type != EXR_ATTR_STRING) return false;
     const std::string value(attribute.string->str, std::size_t(attribute.string->length));
     if (ours) {

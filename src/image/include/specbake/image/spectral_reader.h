@@ -36,13 +36,24 @@ class SPECBAKE_API SpectralReader {
 
     StorageFacts facts() const;
 
-    /// A string attribute of the file, or nothing.
+    /// What its samples are stored as.
+    TexelType storedType() const;
+
+    /// The names of all its channels, sorted.
+    std::vector<std::string> channels() const;
+
+    /// A string attribute of the file, or an integer in decimal; or nothing.
     std::optional<std::string> text(const std::string& attribute) const;
 
     /// Rows [first, first + count), counted from 0: for each texel its kBandCount samples, from
     /// 380 nm up. `samples` holds count * width * kBandCount floats. Throws FileError.
     /// `alpha`, unless empty, gets count * width floats where the header says that there is alpha.
-    void readRows(int first, int count, std::span<float> samples, std::span<float> alpha = {});
+    /// `preview`, unless empty, gets count * width times R, G, B where hasPreview().
+    void readRows(int first, int count, std::span<float> samples, std::span<float> alpha = {},
+                  std::span<float> preview = {});
+
+    /// Whether there are channels R, G and B.
+    bool hasPreview() const;
 
   private:
     struct SPECBAKE_LOCAL Implementation;
