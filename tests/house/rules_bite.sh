@@ -65,6 +65,8 @@ bites no-chance src/core/a.cpp <<<'std::random_device seed;'
 bites columns src/core/a.cpp < <(printf '// %0100d\n' 0)
 bites columns CMakeLists.txt < <(printf '# %0100d\n' 0)
 bites short-headers src/core/a.h < <(echo '#pragma once'; yes '' | head -160)
+spares src/core/include/specbake/sampler.h < <(echo '#pragma once'; yes '' | head -349)
+bites short-sources src/core/include/specbake/sampler.h < <(echo '#pragma once'; yes '' | head -350)
 bites short-sources tools/a.cpp < <(yes '' | head -351)
 bites pragma-once src/core/a.h <<<'int a;'
 bites no-silencing src/core/a.cpp <<<'int a;  // NOLINT'

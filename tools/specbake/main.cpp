@@ -28,7 +28,8 @@ int run(int argc, char** argv) {
     const std::map<std::string, Command> commands = {
         {"bake", addBake(program)},       {"solve", addSolve(program)},
         {"region", addRegion(program)},   {"inspect", addInspect(program)},
-        {"relight", addRelight(program)}, {"verify", addVerify(program)}};
+        {"relight", addRelight(program)}, {"table", addTable(program)},
+        {"verify", addVerify(program)}};
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -126,6 +126,10 @@ XYZ Upsampler::xyz(const RGB& color) const {
     return XYZ(color * parts_->spaces.xyzFromTexel);
 }
 
+XYZ Upsampler::xyz(const Color& color) const {
+    return xyz(RGB{double(color[0]), double(color[1]), double(color[2])});
+}
+
 Attainable Upsampler::attainable(const XYZ& asked) const {
     return specbake::attainable(parts_->solid, asked, parts_->options.outside);
 }

@@ -59,6 +59,7 @@ class SPECBAKE_API Upsampler {
 
     /// The tristimulus of a linear colour of the space.
     XYZ xyz(const RGB& color) const;
+    XYZ xyz(const Color& color) const;
 
     /// The colour that is given for one asked for: another only outside the solid.
     Attainable attainable(const XYZ& asked) const;

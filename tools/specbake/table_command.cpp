@@ -1,0 +1,73 @@
+#include "choices.h"
+#include "commands.h"
+
+#include <specbake/core/error.h>
+#include <specbake/core/table.h>
+#include <specbake/image/output_file.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <memory>
+
+namespace specbake::tool {
+namespace {
+
+struct Arguments {
+    std::string output;
+    std::string space = "srgb";
+    ModelArguments model;
+    int grid = kDefaultGridNodes;
+};
+
+void write(const std::string& path, const std::vector<std::byte>& bytes) {
+    OutputFile file(path);
+    std::ofstream stream(file.temporaryPath(), std::ios::binary);
+    stream.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    stream.close();
+    if (!stream) throw FileError(path, "cannot be written whole");
+    file.commit();
+}
+
+void print(const char* where, const TableErrors& errors) {
+    std::printf("  %-20s mean %.4f, 99th percentile %.4f, largest %.4f\n", where, errors.mean,
+                errors.p99, errors.max);
+}
+
+ExitCode tableCommand(const Arguments& a) {
+    const ColorSpace& space = *findColorSpace(a.space);
+    UpsamplerOptions options = a.model.options();
+    options.grid = a.grid;
+    const SpectralTableFile table = spectralTable(Upsampler(space, options));
+    write(a.output, table.bytes);
+    std::printf("%s: %d nodes an axis, %.2f MB\n", a.output.c_str(), a.grid,
+                double(table.bytes.size()) / 1e6);
+    std::printf("CIEDE2000 between the colour asked for and that of the 81 bands:\n");
+    print("all colours", table.everywhere);
+    if (table.atBoundary.colors > 0) print("at the boundary", table.atBoundary);
+    std::printf(
+        "  %.1f %% of the cube are colours that a reflectance can have; %.1f %% lie in "
+        "cells that their boundary cuts\n",
+        table.everywhere.share * 100, table.atBoundary.share * 100);
+    return kDone;
+}
+
+}  // namespace
+
+Command addTable(CLI::App& program) {
+    auto a = std::make_shared<Arguments>();
+    CLI::App* command = program.add_subcommand(
+        "table", "A table of spectra for renderers, which look texels up by specbake/sampler.h");
+    command->add_option("-o,--output", a->output, "the table, NAME.spectab")->required();
+    command->add_option("--space", a->space, "linear RGB of this space is what is looked up")
+        ->check(CLI::IsMember(spaceChoices()))
+        ->capture_default_str();
+    addModelOptions(*command, a->model, "the space's white");
+    command->add_option("--grid", a->grid, "nodes of the table along each axis")
+        ->check(CLI::Range(kFewestGridNodes, kMostGridNodes))
+        ->capture_default_str();
+    return [a] { return tableCommand(*a); };
+}
+
+}  // namespace specbake::tool
