@@ -79,8 +79,9 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::st
         ->capture_default_str();
     command
         .add_option("--outside", arguments.outside,
-                    "colours that no reflectance has: the nearest one, the same chromaticity "
-                    "darker, or an error")
+                    "colours that no reflectance has: the nearest one; the brightest of the same "
+                    "chromaticity (scale), which fades into the nearest where that is nearly or "
+                    "wholly out of reach; or an error")
         ->check(CLI::IsMember(outsideNames()))
         ->capture_default_str();
 }

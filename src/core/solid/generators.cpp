@@ -54,8 +54,11 @@ SidePair sidePair(const std::vector<ExactVector>& vectors, int first, int second
         std::swap(first, second);
         n = {-n[0], -n[1], -n[2]};
     }
-    SidePair side{first, second, unit(n), {}};
-    for (std::size_t j = 0; j < vectors.size(); ++j) side.above[j] = dot(n, vectors[j]) > 0;
+    SidePair side{first, second, unit(n), {}, {}};
+    for (std::size_t j = 0; j < vectors.size(); ++j) {
+        side.above[j] = dot(n, vectors[j]) > 0;
+        side.below[j] = dot(n, vectors[j]) < 0;
+    }
     return side;
 }
 

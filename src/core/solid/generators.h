@@ -12,11 +12,12 @@ namespace specbake::internal {
 /// A set of generators; also a vertex of the solid, the sum of the set.
 using GeneratorSet = std::bitset<kBandCount>;
 
-/// A pair of generators, the normal n of its two parallelograms, and the generators on n's side.
+/// A pair of generators, the normal n of its two parallelograms, and the generators on each side.
 struct SidePair {
     int first = 0, second = 0;  ///< ordered so that n = w_first x w_second has n_Z > 0
     Imath::V3d normal;          ///< unit length, each component within 4 roundings of its value
     GeneratorSet above;         ///< j with n.w_j > 0: those with s_j = 1 in (13)
+    GeneratorSet below;         ///< j with n.w_j < 0: those with s_j = 1 on the other parallelogram
 };
 
 /// The combinatorics of the object-colour solid (paper, section 3).

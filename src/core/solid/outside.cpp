@@ -1,7 +1,7 @@
 #include <specbake/core/outside.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace specbake {
@@ -10,22 +10,21 @@ namespace {
 constexpr std::array<std::pair<Outside, std::string_view>, 3> kNames = {
     {{Outside::nearest, "nearest"}, {Outside::scale, "scale"}, {Outside::error, "error"}}};
 
-/// The largest k in (0, 1) for which k·color lies in the solid; nothing if only k = 0 does.
-/// The gauge is convex along the ray and 1 at black, so it is below 1 on one interval (0, k).
-std::optional<double> largestScale(const Solid& solid, const XYZ& color) {
-    double inside = 1e-6 / color.length();
-    if (!(solid.gauge(XYZ(color * inside)) < 1)) return {};
-    double outside = 1;
-    while (true) {
-        const double middle = 0.5 * (inside + outside);
-        if (middle <= inside || middle >= outside) return inside;  // neighbours among the doubles
-        (solid.contains(XYZ(color * middle)) ? inside : outside) = middle;
-    }
-}
+/// How deep in the cone the colours begin to fade into the nearest ones; see (M17).
+constexpr double kRim = 1.0 / 32;
 
 Attainable nearest(const Solid& solid, const XYZ& asked) {
     const Solid::Nearest found = solid.nearest(asked);
     return {found.color, true, found.spectrum};
+}
+
+/// (M17), for a colour outside the solid.
+Attainable scaled(const Solid& solid, const XYZ& asked) {
+    const double share = std::clamp(solid.depthInCone(asked) / kRim, 0.0, 1.0);
+    if (share == 0) return nearest(solid, asked);
+    const Imath::V3d brightest = asked / std::max(1.0, solid.gaugeFromBlack(asked));
+    if (share == 1) return {XYZ(brightest), true, {}};
+    return {XYZ(brightest * share + solid.nearest(asked).color * (1 - share)), true, {}};
 }
 
 }  // namespace
@@ -52,10 +51,7 @@ std::optional<Outside> outsideFromName(std::string_view name) {
 Attainable attainable(const Solid& solid, const XYZ& asked, Outside rule) {
     if (solid.contains(asked)) return {asked, false, {}};
     if (rule == Outside::error) return {asked, true, {}};
-    if (rule == Outside::scale) {
-        if (const auto k = largestScale(solid, asked)) return {XYZ(asked * *k), true, {}};
-    }
-    return nearest(solid, asked);
+    return rule == Outside::scale ? scaled(solid, asked) : nearest(solid, asked);
 }
 
 ColorResolver::Resolved ColorResolver::resolve(const XYZ& asked) const {

@@ -67,6 +67,7 @@ Solid::Data::Data(const Observer& observer) : white(observer.white()), center(wh
     const Imath::V3d top = white - redSum / 2;
     topCenter = {top.x, top.y};
     makeFaces();
+    fromBlack = FromBlack(vectors);
 }
 
 void Solid::Data::makeFaces() {
@@ -178,6 +179,14 @@ double Solid::gauge(const XYZ& color) const {
 
 double Solid::gaugeError() const {
     return data_->gaugeError;
+}
+
+double Solid::gaugeFromBlack(const XYZ& color) const {
+    return data_->fromBlack.gauge(color);
+}
+
+double Solid::depthInCone(const XYZ& color) const {
+    return data_->fromBlack.depth(color);
 }
 
 Solid::Boundary Solid::boundary(const XYZ& color) const {

@@ -2,6 +2,7 @@
 
 #include "solid/base_polygon.h"
 #include "solid/face_levels.h"
+#include "solid/from_black.h"
 #include "solid/generators.h"
 
 #include <specbake/core/solid.h>
@@ -38,6 +39,8 @@ struct Solid::Data {
     /// The solid's symmetry gives the other half.
     internal::FaceLevels faces;
     double gaugeError = 0;
+
+    internal::FromBlack fromBlack;
 
     /// Values whose colour is a boundary point's, and how far their colour is from it.
     struct FacePoint {

@@ -13,7 +13,7 @@ namespace specbake {
 /// What is given where a colour is asked for that no reflectance has.
 enum class Outside {
     nearest,  ///< the nearest colour of the object-colour solid, in XYZ (the paper's rule)
-    scale,    ///< the brightest colour of the same chromaticity; the nearest where there is none
+    scale,    ///< the brightest of the same chromaticity, the nearest where there is none; (M17)
     error     ///< nothing: the colour is refused
 };
 

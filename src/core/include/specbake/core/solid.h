@@ -42,6 +42,14 @@ class SPECBAKE_API Solid {
     /// black and white are inside.
     bool contains(const XYZ& color) const { return gauge(color) <= 1 + gaugeError(); }
 
+    /// p(t) of (M15): in the cone of the chromaticities that reflectances have, t/p(t) is where the
+    /// ray from black through t leaves the solid. Convex, and p(kt) = k p(t) for k >= 0. Some 4 µs.
+    double gaugeFromBlack(const XYZ& color) const;
+
+    /// δ(t) of (M16): the sine of the angle from t to the nearest face plane of that cone; positive
+    /// inside, 0 on its edge, negative outside. t is not black.
+    double depthInCone(const XYZ& color) const;
+
     /// Where the ray from the centre through a colour leaves the solid.
     struct Boundary {
         double gauge = 0;
