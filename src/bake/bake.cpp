@@ -74,6 +74,9 @@ class Job {
         if (!options_.maxDeviation || !model.grid) return model;
         const GridChoice choice = chooseGrid(source_, space_, model, *options_.maxDeviation);
         statistics_.deviation = choice.deviation;
+        statistics_.largestDeviation = choice.largest;
+        statistics_.deviationColors = choice.colors;
+        statistics_.deviationOfAll = choice.all;
         model.grid = choice.nodes;
         return model;
     }

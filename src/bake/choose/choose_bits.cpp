@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <mutex>
 #include <string>
+#include <vector>
 
 namespace specbake::internal {
 namespace {
@@ -68,7 +69,9 @@ Differences differencesOf(const Upsampler& upsampler, std::span<const TexelColor
 BitsChoice chooseBits(const TexelSource& source, const Upsampler& upsampler, double limit) {
     Differences largest{};
     std::mutex mutex;
-    const auto visit = [&](std::span<const TexelColor> colors) {
+    const auto visit = [&](std::span<const ColorCount> counts) {
+        std::vector<TexelColor> colors;
+        for (const ColorCount& count : counts) colors.push_back(count.color);
         const Differences found = differencesOf(upsampler, colors);
         const std::lock_guard lock(mutex);
         for (std::size_t bits = 0; bits < found.size(); ++bits) {

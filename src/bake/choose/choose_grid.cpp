@@ -6,16 +6,19 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace specbake::internal {
 namespace {
 
 constexpr std::array kResolutions = {3, 5, 7, 9, 13, 17, 25, 33, 49, 65, 97, 129};
-constexpr std::size_t kRun = 64;  ///< colours looked up at a time
 
 /// The bands of some colours, one after the other.
 using Bands = std::vector<float>;
@@ -31,7 +34,7 @@ Bands bandsOf(const Upsampler& upsampler, std::span<const TexelColor> colors) {
     return samples;
 }
 
-double squaredDifference(const Bands& a, const Bands& b) {
+double squaredDifference(std::span<const float> a, std::span<const float> b) {
     return std::transform_reduce(a.begin(), a.end(), b.begin(), 0.0, std::plus<>(),
                                  [](float x, float y) {
                                      const double difference = double(x) - double(y);
@@ -39,38 +42,110 @@ double squaredDifference(const Bands& a, const Bands& b) {
                                  });
 }
 
-/// The RMS deviation between two models, over the colours and the bands.
-double rmsDeviation(const TexelSource& source, std::span<const TexelColor> colors,
-                    const Upsampler& coarse, const Upsampler& direct) {
-    const int runs = int((colors.size() + kRun - 1) / kRun);
-    std::vector<double> sums(std::size_t(runs), 0.0);
-    const auto compare = [&](int run) {
-        const std::size_t first = std::size_t(run) * kRun;
-        const auto some = colors.subspan(first, std::min(kRun, colors.size() - first));
-        sums[std::size_t(run)] = squaredDifference(bandsOf(coarse, some), bandsOf(direct, some));
-    };
-    runPipeline(runs, {[](int) {}, compare, [](int) {}}, source.threads, source.stop);
-    const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
-    return colors.empty() ? 0 : std::sqrt(sum / (double(colors.size()) * kBandCount));
-}
+/// How far spectra deviate: squares summed over bands and texels, and the largest texel's.
+struct Deviation {
+    double squares = 0;
+    double largest = 0;
+    std::size_t texels = 0;
+
+    void add(const Deviation& other) {
+        squares += other.squares;
+        largest = std::max(largest, other.largest);
+        texels += other.texels;
+    }
+    double rms() const { return rootOfMean(squares, texels); }
+    double largestRms() const { return rootOfMean(largest, 1); }
+
+  private:
+    static double rootOfMean(double sum, std::size_t count) {
+        return count == 0 ? 0 : std::sqrt(sum / (double(count) * kBandCount));
+    }
+};
+
+/// Grids beside the solver, on the colours of a texture.
+class GridTrial {
+  public:
+    GridTrial(const TexelSource& source, const Upsampler& direct)
+        : source_(source),
+          direct_(direct),
+          tally_(tallyColors(source, kMostColors)),
+          runs_((tally_.colors.size() + kRun - 1) / kRun),
+          solved_(std::min(runs_, kKeptRuns)) {
+        for (const ColorCount& c : tally_.colors) texels_ += c.texels;
+    }
+
+    const ColorTally& tally() const { return tally_; }
+
+    /// Of the spectra through a grid; where it is beyond `limit`, of as many colours as show that.
+    Deviation of(const Upsampler& coarse, double limit) {
+        // A little more, lest the order in which runs come decide a draw.
+        const double most = limit * limit * double(texels_) * kBandCount * (1 + 1e-6);
+        std::vector<Deviation> found(runs_);
+        std::atomic<double> squares = 0;
+        const auto compare = [&](int run) {
+            if (squares > most) return;
+            found[std::size_t(run)] = ofRun(coarse, std::size_t(run));
+            squares += found[std::size_t(run)].squares;
+        };
+        runPipeline(int(runs_), {[](int) {}, compare, [](int) {}}, source_.threads, source_.stop);
+        Deviation total;
+        for (const Deviation& run : found) total.add(run);
+        return total;
+    }
+
+  private:
+    static constexpr std::size_t kRun = 64;         ///< colours looked up at a time
+    static constexpr std::size_t kKeptRuns = 4096;  ///< whose solved bands are kept: 85 MB
+
+    Deviation ofRun(const Upsampler& coarse, std::size_t run) {
+        const auto counts = std::span(tally_.colors).subspan(run * kRun);
+        std::vector<TexelColor> colors;
+        for (const ColorCount& c : counts.first(std::min(kRun, counts.size()))) {
+            colors.push_back(c.color);
+        }
+        Bands solved = run < kKeptRuns ? std::move(solved_[run]) : Bands();
+        if (solved.empty()) solved = bandsOf(direct_, colors);
+        const Bands looked = bandsOf(coarse, colors);
+        Deviation found;
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            const auto bands = [&](const Bands& all) {
+                return std::span(all).subspan(i * kBandCount, kBandCount);
+            };
+            const double squares = squaredDifference(bands(looked), bands(solved));
+            found.add({squares * double(counts[i].texels), squares, counts[i].texels});
+        }
+        if (run < kKeptRuns) solved_[run] = std::move(solved);
+        return found;
+    }
+
+    const TexelSource& source_;
+    const Upsampler& direct_;
+    ColorTally tally_;
+    std::size_t runs_;
+    std::vector<Bands> solved_;  ///< of the first runs, once they were solved
+    std::size_t texels_ = 0;
+};
 
 }  // namespace
 
 GridChoice chooseGrid(const TexelSource& source, const ColorSpace& space,
                       const UpsamplerOptions& model, double limit) {
-    const std::vector<TexelColor> colors = sampleColors(source, kSampledColors);
     UpsamplerOptions options = model;
     options.grid = std::nullopt;
     const Upsampler direct(space, options);
-    GridChoice choice;
+    GridTrial trial(source, direct);
+    GridChoice choice{0, 0, 0, trial.tally().colors.size(), trial.tally().all};
     for (const int nodes : kResolutions) {
         options.grid = nodes;
-        choice = {nodes, rmsDeviation(source, colors, Upsampler(space, options), direct)};
+        const Deviation found = trial.of(Upsampler(space, options), limit);
+        choice.nodes = nodes;
+        choice.deviation = found.rms();
+        choice.largest = found.largestRms();
         if (choice.deviation <= limit) return choice;
     }
-    throw FileError(source.info().path, "the finest grid deviates by " +
-                                            std::to_string(choice.deviation) +
-                                            "; solve every texel by itself instead");
+    throw FileError(source.info().path, "the finest grid deviates by more than " +
+                                            std::to_string(limit) +
+                                            "; solve every texel by itself instead (--per-texel)");
 }
 
 }  // namespace specbake::internal

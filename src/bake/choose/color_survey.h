@@ -12,14 +12,26 @@ namespace specbake::internal {
 
 using TexelColor = std::array<float, 3>;
 
-/// Reads a texture through and hands over its linear colours: every colour that occurs at least
-/// once, most of them not often. Colours that are not finite are left out. `visit` is called by
-/// several threads at once. Throws what the reader throws, and Cancelled.
-void surveyColors(const TexelSource& source,
-                  const std::function<void(std::span<const TexelColor>)>& visit);
+/// A colour, and how many texels have it.
+struct ColorCount {
+    TexelColor color{};
+    std::size_t texels = 0;
+};
 
-/// Up to `most` different colours of a texture, chosen by a hash of their bits: all of them where
-/// there are no more, else a fair sample, the same in every run. Sorted.
-std::vector<TexelColor> sampleColors(const TexelSource& source, std::size_t most);
+/// Reads a texture through and hands over its linear colours: every colour that occurs at least
+/// once, most of them not often, with the texels for which it stands this time. Colours that are
+/// not finite are left out. `visit` is called by several threads at once. Throws what the reader
+/// throws, and Cancelled.
+void surveyColors(const TexelSource& source,
+                  const std::function<void(std::span<const ColorCount>)>& visit);
+
+/// The different colours of a texture, each with all its texels: every one where there are no more
+/// than `most`, else those of the smallest hashes of their bits, a fair sample, the same in every
+/// run.
+struct ColorTally {
+    std::vector<ColorCount> colors;
+    bool all = true;
+};
+ColorTally tallyColors(const TexelSource& source, std::size_t most);
 
 }  // namespace specbake::internal

@@ -7,13 +7,16 @@
 namespace specbake::internal {
 
 /// The coarsest grid whose spectra deviate from the directly solved ones by at most `deviation`:
-/// RMS over the bands and over the colours of the texture, each once, or over a sample of
-/// kSampledColors of them where there are more.
+/// RMS over the bands and all texels, or over those of a sample of kMostColors of the texture's
+/// colours where it has more.
 struct GridChoice {
     int nodes = 0;
-    double deviation = 0;  ///< what it deviates by
+    double deviation = 0;    ///< what it deviates by
+    double largest = 0;      ///< the most that one texel deviates by: RMS over its bands
+    std::size_t colors = 0;  ///< on which this was measured
+    bool all = true;         ///< whether the texture has no others
 };
-inline constexpr std::size_t kSampledColors = 4096;
+inline constexpr std::size_t kMostColors = std::size_t(1) << 20;
 
 /// Throws FileError if the finest grid does not suffice.
 GridChoice chooseGrid(const TexelSource& source, const ColorSpace& space,

@@ -21,7 +21,8 @@ struct BakeOptions {
     std::optional<std::string> space;  ///< of colorSpaces(); none: what the texture says
     UpsamplerOptions model;
     /// Instead of `model.grid`: the coarsest grid whose spectra deviate by at most this from the
-    /// directly solved ones: RMS over the bands and the texture's own colours.
+    /// directly solved ones: RMS over the bands and all texels. Every colour of the texture is
+    /// solved to know; of more than 2^20 colours a sample of as many.
     std::optional<double> maxDeviation;
     int bits = kMostMantissaBits;  ///< of the mantissa of half samples
     /// Instead of `bits`: the fewest that keep every texel within this CIEDE2000.
@@ -46,6 +47,9 @@ struct BakeStatistics {
     int grid = 0;                      ///< nodes an axis, 0 without a grid
     int bits = 0;                      ///< of the samples' mantissa
     std::optional<double> deviation;   ///< what maxDeviation met
+    double largestDeviation = 0;       ///< then: the most of one texel, RMS over its bands
+    std::size_t deviationColors = 0;   ///< then: on how many colours it was measured
+    bool deviationOfAll = true;        ///< then: whether the texture has no others
     std::optional<double> difference;  ///< what maxDE met: the largest CIEDE2000
     std::size_t directTexels = 0;      ///< not, or not only, through the grid
     std::size_t outsideTexels = 0;     ///< whose colour no reflectance has
