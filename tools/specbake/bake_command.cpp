@@ -72,7 +72,12 @@ void writeStats(const BakeStatistics& s, const Arguments& a) {
                                    {"bits", s.bits},
                                    {"seconds", s.seconds},
                                    {"notes", s.notes}};
-    if (s.deviation) json["deviation"] = *s.deviation;
+    if (s.deviation) {
+        json["deviation"] = *s.deviation;
+        json["deviation_largest"] = s.largestDeviation;
+        json["deviation_colors"] = s.deviationColors;
+        json["deviation_of_all"] = s.deviationOfAll;
+    }
     if (s.difference) json["de2000"] = *s.difference;
     OutputFile file(a.statsFile);
     std::ofstream out(file.temporaryPath());
@@ -87,8 +92,10 @@ void report(const BakeStatistics& s, const Arguments& a) {
         if (!a.quiet) std::fprintf(stderr, "specbake: %s: %s\n", a.input.c_str(), note.c_str());
     }
     if (s.deviation && !a.quiet) {
-        std::printf("%s: a grid of %d nodes deviates by %.5f RMS\n", a.output.c_str(), s.grid,
-                    *s.deviation);
+        std::printf(
+            "%s: a grid of %d nodes deviates by %.5f RMS, by %.4f in one texel (%s%zu colours)\n",
+            a.output.c_str(), s.grid, *s.deviation, s.largestDeviation,
+            s.deviationOfAll ? "" : "a sample of ", s.deviationColors);
     }
     if (s.difference && !a.quiet) {
         std::printf("%s: %d bits of mantissa keep every texel within CIEDE2000 %.4f\n",
@@ -160,8 +167,9 @@ Command addBake(CLI::App& program) {
     command
         ->add_option(
             "--max-deviation", a->options.maxDeviation,
-            "instead of --grid: the coarsest grid whose spectra deviate by no more (RMS) from the "
-            "directly solved ones, on this texture's colours; the default grid is for about 0.001")
+            "instead of --grid: the coarsest grid whose spectra deviate by no more from the "
+            "directly solved ones, RMS over bands and texels; the default grid comes to 0.0002 to "
+            "0.002, by the texture")
         ->check(CLI::PositiveNumber)
         ->excludes("--per-texel");
     command

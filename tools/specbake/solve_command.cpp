@@ -3,6 +3,7 @@
 
 #include <specbake/core/error.h>
 #include <specbake/core/upsampler.h>
+#include <specbake/core/vector.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -28,6 +29,18 @@ const ColorSpace& spaceOf(const Arguments& a) {
     return *findColorSpace(a.space == "auto" ? byDefault : a.space);
 }
 
+/// A colour typed as X Y Z; the grey of its Y where it is as near to that as the table of the
+/// colour-matching functions is to the truth. Its values have four decimals, so that a sum of 81 of
+/// them is off by up to 81 · ½·10⁻⁴ / Σȳ: under E white is (1, 1, 1), of which the table makes
+/// (1.000009, 1, 1.000010), and so are the published whites of other lights rounded.
+XYZ greyWhereMeant(const XYZ& typed, const Observer& observer) {
+    constexpr double sumOfLuminosity = 21.37;
+    constexpr double rounding = kBandCount * 0.5e-4 / sumOfLuminosity;
+    const XYZ grey(observer.white() * typed.y);
+    const bool meant = typed.y <= 1 && largestComponent(typed - grey) <= rounding * typed.y;
+    return meant ? grey : typed;
+}
+
 /// The colour as a texel of a texture in that space would have it.
 ColorAnswer solve(const Arguments& a, const Upsampler& upsampler) {
     const std::vector<double>& color = a.xyz.empty() ? a.rgb : a.xyz;
@@ -37,7 +50,11 @@ ColorAnswer solve(const Arguments& a, const Upsampler& upsampler) {
         if (!std::isfinite(value)) throw ArgumentError("a colour of finite numbers is wanted");
         linear[i] = linearFrom(value, upsampler.space().transfer);
     }
-    return upsampler.solve(upsampler.xyz(linear));
+    const XYZ asked = upsampler.xyz(linear);
+    if (a.xyz.empty()) return upsampler.solve(asked);
+    ColorAnswer answer = upsampler.solve(greyWhereMeant(asked, upsampler.observer()));
+    answer.asked = asked;
+    return answer;
 }
 
 const char* statusName(SolveReport::Status status) {
@@ -85,6 +102,11 @@ void printText(const ColorAnswer& answer, const std::string& illuminant) {
                  answer.asked.z, answer.gauge, r.residual);
     std::fprintf(stderr, "%d iterations, %d starts, %d hits\n", r.iterations, r.starts, r.hits);
     if (r.fellBack) std::fprintf(stderr, "the method failed; the smooth one solved the colour\n");
+    if (!answer.outside && answer.given != answer.asked) {
+        std::fprintf(stderr,
+                     "taken for a grey, XYZ %.9g %.9g %.9g: the same to the table's rounding\n",
+                     answer.given.x, answer.given.y, answer.given.z);
+    }
     if (answer.outside) {
         std::fprintf(stderr, "outside the solid: given XYZ %.6g %.6g %.6g, CIEDE2000 %.2f\n",
                      answer.given.x, answer.given.y, answer.given.z, answer.difference);
@@ -112,7 +134,11 @@ Command addSolve(CLI::App& program) {
     auto a = std::make_shared<Arguments>();
     CLI::App* command = program.add_subcommand("solve", "One colour to its spectrum, as CSV");
     auto* color = command->add_option_group("colour");
-    color->add_option("--xyz", a->xyz, "X Y Z; the perfect reflector has Y = 1")->expected(3);
+    color
+        ->add_option("--xyz", a->xyz,
+                     "X Y Z; the perfect reflector has Y = 1. What is a grey to four decimals is "
+                     "solved as that grey, and comes out flat")
+        ->expected(3);
     color->add_option("--rgb", a->rgb, "R G B of --space; 1 1 1 is white")->expected(3);
     color->require_option(1);
     command->add_option("--space", a->space, "what --rgb is in; auto: lin_rec709")

@@ -148,4 +148,32 @@ TEST_CASE("wrong commands return 2, colours that are not finite 1 or 2, and noth
     }
 }
 
+TEST_CASE("white and greys come out flat where the table makes them so but for its rounding") {
+    using Words = std::vector<std::string>;
+    const std::vector<std::pair<std::string, Words>> greys = {
+        {"E", {"1", "1", "1"}},
+        {"E", {"0.999999", "0.999999", "0.999999"}},
+        {"E", {"0.5", "0.5", "0.5"}},
+        {"E", {"0", "0", "0"}},
+        {"D65", {"0.95047", "1", "1.08883"}},  // ASTM E308
+        {"D65", {"0.19009", "0.2", "0.21777"}},
+        {"A", {"1.0985", "1", "0.3558"}}};
+    for (const auto& [light, color] : greys) {
+        CAPTURE(light);
+        CAPTURE(color[0]);
+        const Outcome outcome =
+            solve({"--illuminant", light, "--xyz", color[0], color[1], color[2]});
+        REQUIRE(outcome.exitCode == 0);
+        for (const double value : column(outcome.out)) CHECK(value == std::stod(color[1]));
+        CHECK(outcome.err.find("outside the solid") == std::string::npos);
+    }
+    // What differs by more is solved as it stands, to the last digit.
+    const std::vector<Words> colors = {{"0.5", "0.5003", "0.5"}, {"0.4", "0.4", "0.4002"}};
+    for (const Words& color : colors) {
+        const Outcome outcome = solve({"--xyz", color[0], color[1], color[2]});
+        const Triple asked = {std::stod(color[0]), std::stod(color[1]), std::stod(color[2])};
+        CHECK(largestDifference(colorUnderE(column(outcome.out)), asked) < 1e-12);
+    }
+}
+
 TEST_SUITE_END();
