@@ -73,7 +73,7 @@ void writeTables(const std::vector<Row>& cmf, const std::vector<Row>& light, std
 
 /// Rows of set, name, material, and 81 integers.
 void writeReflectances(const std::vector<Row>& rows, std::ostream& out) {
-    out << "static constexpr ReflectanceTable kReflectances[] = {\n";
+    out << "static constexpr ReflectanceTable kRows[] = {\n";
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const Row& row = rows[i];
         if (row.size() != 84) throw std::runtime_error(row.at(0) + ": a row of 84 cells expected");
@@ -81,7 +81,7 @@ void writeReflectances(const std::vector<Row>& rows, std::ostream& out) {
         for (std::size_t cell = 3; cell < row.size(); ++cell) out << row[cell] << ", ";
         out << "}},\n";
     }
-    out << "};\nconst std::span<const ReflectanceTable> reflectances = kReflectances;\n\n";
+    out << "};\nconst std::span<const ReflectanceTable> kReflectances = kRows;\n\n";
 }
 
 }  // namespace

@@ -28,6 +28,6 @@ struct ReflectanceTable {
     std::array<std::uint16_t, kBandCount> value;  ///< in units of 1/kReflectanceScale
 };
 inline constexpr double kReflectanceScale = 1e4;
-extern const std::span<const ReflectanceTable> reflectances;
+extern const std::span<const ReflectanceTable> kReflectances;
 
 }  // namespace specbake::internal::tables

@@ -17,7 +17,7 @@ MeasuredSample sampleOf(const tables::ReflectanceTable& table) {
 
 std::vector<MeasuredSet> unpacked() {
     std::vector<MeasuredSet> sets;
-    for (const tables::ReflectanceTable& table : tables::reflectances) {
+    for (const tables::ReflectanceTable& table : tables::kReflectances) {
         if (sets.empty() || sets.back().name != table.set) {
             sets.push_back({std::string(table.set), {}});
         }
