@@ -1,11 +1,11 @@
 #include "attributes.h"
 #include "baking.h"
 #include "choose/tolerances.h"
+#include "watched_texture.h"
 
 #include <specbake/bake/bake.h>
 #include <specbake/core/error.h>
 #include <specbake/image/spectral_writer.h>
-#include <specbake/image/texture_reader.h>
 
 #include <chrono>
 #include <limits>
@@ -37,7 +37,8 @@ class Job {
         : options_(checked(options)),
           space_(chosenSpace(texture.info(), options)),
           decoder_(texture.info(), space_),
-          source_{texture, decoder_, options.threads, options.stop},
+          watched_(texture),
+          source_{watched_, decoder_, options.threads, options.stop},
           upsampler_(space_, decidedModel()),
           bits_(decidedBits()) {}
     Job(const Job&) = delete;
@@ -63,6 +64,10 @@ class Job {
         statistics_.largestMove = census.largestMove();
         statistics_.nodesSolved = upsampler_.nodesSolved();
         statistics_.notes = info.notes;
+        if (watched_.holdsNormals()) {
+            statistics_.notes.emplace_back(
+                "its texels are unit vectors around (0.5, 0.5, 1): normals, it seems, no colours");
+        }
         return statistics_;
     }
 
@@ -92,6 +97,7 @@ class Job {
     BakeStatistics statistics_;
     ColorSpace space_;
     TexelDecoder decoder_;
+    WatchedTexture watched_;
     TexelSource source_;
     Upsampler upsampler_;
     int bits_;
@@ -122,7 +128,8 @@ BakeStatistics bake(Texture& texture, const std::filesystem::path& output,
 
 BakeStatistics bake(const std::string& input, const std::filesystem::path& output,
                     const BakeOptions& options) {
-    TextureReader texture(input);
+    checked(options);
+    TextureReader texture(input, options.read);
     return bake(texture, output, options);
 }
 

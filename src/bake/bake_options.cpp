@@ -12,6 +12,7 @@ bool isPositive(const std::optional<double>& limit) {
 /// What is wrong; empty if nothing is.
 std::string problemOf(const BakeOptions& options) {
     std::string problem;
+    if (!options.read.isValid(&problem)) return problem;
     if (!options.model.isValid(&problem)) return problem;
     if (options.bits < BakeOptions::kFewestMantissaBits ||
         options.bits > BakeOptions::kMostMantissaBits) {

@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 struct Arguments {
     std::string input;
     std::string output;
+    ReadArguments read;
     std::string space = "auto";
     ModelArguments model;
     int grid = kDefaultGridNodes;
@@ -41,6 +42,7 @@ struct Arguments {
 
 BakeOptions optionsOf(const Arguments& a, const std::stop_token& stop, ProgressBar& bar) {
     BakeOptions options = a.options;
+    options.read = a.read.options();
     options.space = unlessAuto(a.space);
     options.model = a.model.options();
     options.model.grid = a.perTexel ? std::nullopt : std::optional(a.grid);
@@ -155,6 +157,7 @@ Command addBake(CLI::App& program) {
     CLI::App* command = program.add_subcommand("bake", "A texture to a spectral EXR");
     command->add_option("input", a->input, "texture: any image that OpenImageIO reads")->required();
     command->add_option("-o,--output", a->output, "spectral image to write (.exr)")->required();
+    addReadOptions(*command, a->read, "else the colours of the file");
     command->add_option("--space", a->space, "colour space of the texture")
         ->check(CLI::IsMember(spaceChoices()))
         ->capture_default_str();

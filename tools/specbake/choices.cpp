@@ -86,6 +86,30 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::st
         ->capture_default_str();
 }
 
+ReadOptions ReadArguments::options() const {
+    ReadOptions options;
+    if (!channels.empty()) options.channels = channelList(channels);
+    options.part = part;
+    options.orient = orient;
+    return options;
+}
+
+void addReadOptions(CLI::App& command, ReadArguments& arguments, const std::string& otherwise) {
+    command
+        .add_option("--channels", arguments.channels,
+                    "what is read: R,G,B or R,G,B,A or one channel as grey, by name or number; a "
+                    "layer's name stands for its R,G,B and A; " +
+                        otherwise)
+        ->type_name("NAME,...");
+    command
+        .add_option("--part", arguments.part,
+                    "which part, page, layer or frame of the file, by name or number (the first "
+                    "is 0)")
+        ->type_name("NAME|N");
+    command.add_flag("--orient", arguments.orient,
+                     "turn the texture as its Exif or TIFF orientation says");
+}
+
 void parseCompression(const std::string& text, StorageOptions& storage) {
     const auto colon = text.find(':');
     const std::string name = text.substr(0, colon);

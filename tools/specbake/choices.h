@@ -2,6 +2,7 @@
 
 #include <specbake/core/upsampler_options.h>
 #include <specbake/image/spectral_layout.h>
+#include <specbake/image/texture_reader.h>
 
 #include <CLI/CLI.hpp>
 
@@ -30,6 +31,18 @@ struct ModelArguments {
 
 /// `--illuminant`, `--method`, `--outside`. `white`: what "auto" means for the light.
 void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::string& white);
+
+/// What of a texture is read, as words of the command line.
+struct ReadArguments {
+    std::string channels;  ///< with commas; empty: the texture's colours
+    std::optional<std::string> part;
+    bool orient = false;
+
+    ReadOptions options() const;
+};
+
+/// `--channels`, `--part`, `--orient`. `otherwise`: what holds without them.
+void addReadOptions(CLI::App& command, ReadArguments& arguments, const std::string& otherwise);
 
 /// "zip", "zip:6", "none" and so on into `storage`. Throws ArgumentError.
 void parseCompression(const std::string& text, StorageOptions& storage);

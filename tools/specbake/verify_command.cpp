@@ -23,6 +23,7 @@ struct Arguments {
     std::string spectral;
     std::string texture;
     std::string reference;
+    ReadArguments read;
     VerifyOptions options;
     std::optional<double> maxDE;
     double maxBand = 0.001;
@@ -103,7 +104,9 @@ ExitCode verifyCommand(const Arguments& a) {
     Json json;
     bool passed = true;
     if (!a.texture.empty()) {
-        const Verification v = verify(a.spectral, a.texture, a.options);
+        VerifyOptions options = a.options;
+        options.read = a.read.options();
+        const Verification v = verify(a.spectral, a.texture, options);
         show(a, v, "colors", json);
         passed = v.passes(a.maxDE);
     }
@@ -141,6 +144,7 @@ Command addVerify(CLI::App& program) {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str()
         ->needs(spectra);
+    addReadOptions(*command, a->read, "else what the spectral file was made of");
     command->add_option("--space", a->options.space,
                         "colour space of the texture, instead of the one that the file names");
     command->add_option("--illuminant", a->options.illuminant,

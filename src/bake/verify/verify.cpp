@@ -36,7 +36,7 @@ class Comparison {
     Comparison(const std::string& spectral, const std::string& texture,
                const VerifyOptions& options)
         : spectral_(spectral),
-          texture_(texture),
+          texture_(texture, options.read.orAsIn(spectral_)),
           model_(statedSpace(spectral_, texture_.info(), options),
                  statedModel(spectral, spectral_, options)),
           decoder_(texture_.info(), model_.space()),

@@ -21,11 +21,13 @@ std::size_t ImageFile::rowBytes(TexelType type) const {
            bytesPerSample(type);
 }
 
-std::unique_ptr<ImageFile> openImageFile(const std::string& path) {
+std::unique_ptr<ImageFile> openImageFile(const std::string& path,
+                                         const std::optional<std::string>& part) {
+    if (part) return openImageIOParts(path).openImage(path, part);
     if (auto png = openPlainPng(path)) return png;
     if (auto jpeg = openPlainJpeg(path)) return jpeg;
     if (auto exr = openPlainExr(path)) return exr;
-    return openImageIOParts(path).openImage(path);
+    return openImageIOParts(path).openImage(path, {});
 }
 
 void checkSides(const std::string& path, long long width, long long height) {

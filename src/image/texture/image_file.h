@@ -12,7 +12,8 @@
 
 namespace specbake::internal {
 
-/// The first subimage and mip level of a file, in the types of no library that reads files.
+/// One part (subimage) of a file at its first mip level, in the types of no library that reads
+/// files.
 struct ImageDescription {
     Window data;     ///< where there are pixels
     Window display;  ///< what is meant to be seen
@@ -21,8 +22,13 @@ struct ImageDescription {
     std::optional<int> alpha;                 ///< the index of the alpha channel
     bool associatedAlpha = false;             ///< colour is multiplied by alpha
     TexelType sampleType = TexelType::uint8;  ///< as stored, or the next larger that is offered
+    /// The file holds integers: samples, of whatever type, are shares of the largest.
+    bool integers = true;
+    /// How it is to be shown, as Exif and TIFF count: 1 as it is stored, 2 to 8 turned or mirrored.
+    int orientation = 1;
     std::optional<std::array<float, 8>> chromaticities;  ///< x, y of red, green, blue, white
     Attributes attributes;                               ///< metadata worth keeping
+    std::string parts;               ///< "0 (left), 1 (right)", if there is more than one
     std::vector<std::string> notes;  ///< one line each on what of the file is not used
 };
 
@@ -58,7 +64,10 @@ class ImageFile {
 
 /// Opens a file with the lightest reader that knows all that is in it; OpenImageIO is the last.
 /// Throws FileError if it cannot be opened or is no image of bounded size.
-std::unique_ptr<ImageFile> openImageFile(const std::string& path);
+///
+/// `part`: the name or the number (from 0) of one of several; none: the first.
+std::unique_ptr<ImageFile> openImageFile(const std::string& path,
+                                         const std::optional<std::string>& part = {});
 
 /// Throws FileError for sides of no or of more than kLargestSide pixels.
 void checkSides(const std::string& path, long long width, long long height);

@@ -1,3 +1,5 @@
+#include "texture/kept_metadata.h"
+
 #include <specbake/core/error.h>
 #include <specbake/image/memory_texture.h>
 
@@ -27,6 +29,7 @@ TextureInfo infoOf(const MemoryImage& image) {
     info.sampleType = image.sampleType;
     info.automaticSpace = image.space;
     info.attributes = image.attributes;
+    internal::keepWhatFits(info.attributes, info.notes);
     return info;
 }
 

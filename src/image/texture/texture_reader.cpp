@@ -1,4 +1,11 @@
+#include "texture/data_names.h"
 #include "texture/image_file.h"
+#include "texture/kept_metadata.h"
+#include "texture/select/channel_choice.h"
+#include "texture/select/channel_names.h"
+#include "texture/select/oriented_file.h"
+#include "texture/select/recorded_options.h"
+#include "texture/select/selected_channels.h"
 
 #include <specbake/core/error.h>
 #include <specbake/image/texture_reader.h>
@@ -11,13 +18,13 @@ namespace {
 
 bool isXYZ(const ImageDescription& image) {
     const auto& names = image.channels;
-    return names.size() >= 3 && names[0] == "X" && names[1] == "Y" && names[2] == "Z";
+    return names.size() >= 3 && sameName(names[0], "X") && sameName(names[1], "Y") &&
+           sameName(names[2], "Z");
 }
 
 ColorSpace automaticSpace(const ImageDescription& image) {
     if (isXYZ(image)) return *findColorSpace("xyz");
-    const TexelType type = image.sampleType;
-    if (type == TexelType::uint8 || type == TexelType::uint16) return *findColorSpace("srgb");
+    if (image.integers) return *findColorSpace("srgb");
     if (image.chromaticities) {
         const auto& c = *image.chromaticities;
         const auto at = [&](std::size_t i) { return Chromaticity{double(c[i]), double(c[i + 1])}; };
@@ -28,14 +35,16 @@ ColorSpace automaticSpace(const ImageDescription& image) {
 
 void checkChannels(const TextureInfo& info) {
     const std::string count = std::to_string(info.channels);
-    if (info.channels > 4) {
-        throw FileError(info.path, count + " channels; a texture has 1 to 4");
-    }
     const int color = info.channels - (info.alpha ? 1 : 0);
     if (color != 1 && color != 3) {
         throw FileError(info.path, count + " channels, " + (info.alpha ? "one" : "none") +
                                        " of them alpha: neither grey nor three colours");
     }
+}
+
+std::string orientationNote(int orientation) {
+    return "its orientation (Exif " + std::to_string(orientation) +
+           ") is not used: texels stay where they are stored (--orient turns them)";
 }
 
 TextureInfo infoOf(const std::string& path, const ImageDescription& image) {
@@ -52,7 +61,20 @@ TextureInfo infoOf(const std::string& path, const ImageDescription& image) {
     info.automaticSpace = automaticSpace(image);
     info.attributes = image.attributes;
     info.notes = image.notes;
+    if (image.orientation != 1) info.notes.push_back(orientationNote(image.orientation));
     return info;
+}
+
+std::unique_ptr<ImageFile> open(const std::string& path, const ReadOptions& options) {
+    std::string reason;
+    if (!options.isValid(&reason)) throw ArgumentError(path + ": " + reason);
+    std::unique_ptr<ImageFile> file = openImageFile(path, options.part);
+    const ImageDescription& all = file->description();
+    file = withChannels(std::move(file), options.channels.empty()
+                                             ? automaticChannels(path, all)
+                                             : namedChannels(path, all, options.channels));
+    if (!options.orient || file->description().orientation == 1) return file;
+    return std::make_unique<OrientedFile>(std::move(file));
 }
 
 }  // namespace
@@ -60,14 +82,18 @@ TextureInfo infoOf(const std::string& path, const ImageDescription& image) {
 Texture::~Texture() = default;
 
 struct TextureReader::Implementation {
-    explicit Implementation(const std::string& path)
-        : file(openImageFile(path)), info(infoOf(path, file->description())) {}
+    Implementation(const std::string& path, const ReadOptions& options)
+        : file(open(path, options)), info(infoOf(path, file->description())) {
+        keepWhatFits(info.attributes, info.notes);
+        info.attributes.merge(recorded(options));
+        if (auto remark = remarkOnName(path)) info.notes.push_back(std::move(*remark));
+    }
     std::unique_ptr<ImageFile> file;
     TextureInfo info;
 };
 
-TextureReader::TextureReader(const std::string& path)
-    : implementation_(std::make_unique<Implementation>(path)) {}
+TextureReader::TextureReader(const std::string& path, const ReadOptions& options)
+    : implementation_(std::make_unique<Implementation>(path, options)) {}
 TextureReader::~TextureReader() = default;
 
 const TextureInfo& TextureReader::info() const {

@@ -20,7 +20,7 @@ std::vector<BadFile> garbage(const std::string& folder);
 /// Sound headers of images without end, and no pixels.
 std::vector<BadFile> absurdSizes(const std::string& folder);
 
-/// Sound images that are no textures: too many channels, deep, not finite.
+/// Sound images that are no textures: deep, not finite.
 std::vector<BadFile> noTextures(const std::string& folder);
 
 }  // namespace specbake::testing

@@ -1,9 +1,14 @@
 #include "texture/openimageio/openimageio_file.h"
 
+#include "texture/openimageio/luminance_chroma.h"
 #include "texture/openimageio/metadata.h"
 #include "texture/openimageio/row_source.h"
+#include "texture/openimageio/subimages.h"
+
+#include <specbake/core/error.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace specbake::internal {
 namespace {
@@ -44,23 +49,14 @@ std::optional<std::array<float, 8>> chromaticitiesOf(const OIIO::ImageSpec& spec
     return xy;
 }
 
-/// What of the file is left aside, a line each.
-std::vector<std::string> notesOn(OIIO::ImageInput& input) {
-    std::vector<std::string> notes;
-    if (input.seek_subimage(1, 0)) notes.emplace_back("only the first of its subimages is used");
-    if (input.seek_subimage(0, 1)) notes.emplace_back("only the first of its mip levels is used");
-    input.geterror();
-    input.seek_subimage(0, 0);
-    const int orientation = input.spec().get_int_attribute("Orientation", 1);
-    if (orientation != 1) {
-        notes.push_back("its orientation (Exif " + std::to_string(orientation) +
-                        ") is not used: texels stay where they are stored");
-    }
-    return notes;
+/// How Exif and TIFF would have the image shown; 1 for what is no such number.
+int orientationOf(const OIIO::ImageSpec& spec) {
+    const int orientation = spec.get_int_attribute("Orientation", 1);
+    return orientation >= 1 && orientation <= 8 ? orientation : 1;
 }
 
-ImageDescription describe(RowSource& source) {
-    const OIIO::ImageSpec spec = source.spec();
+ImageDescription describe(const RowSource& source) {
+    const OIIO::ImageSpec& spec = source.spec();
     ImageDescription d;
     d.data = {spec.x, spec.y, spec.width, spec.height};
     d.display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
@@ -69,16 +65,36 @@ ImageDescription describe(RowSource& source) {
     if (spec.alpha_channel >= 0) d.alpha = spec.alpha_channel;
     d.associatedAlpha = d.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
     d.sampleType = sampleTypeOf(spec.format);
+    d.integers = !spec.format.is_floating_point();
+    d.orientation = orientationOf(spec);
     d.chromaticities = chromaticitiesOf(spec);
     d.attributes = metadataOf(spec);
-    d.notes = notesOn(source.input());
+    d.notes = source.remarks();
+    if (!spec.format.is_floating_point() && spec.format.is_signed()) {
+        d.notes.emplace_back(
+            "signed integers: read as shares of the largest; those below 0 are no colours");
+    }
+    return d;
+}
+
+/// The same, and what else the file holds.
+ImageDescription describe(const RowSource& source, const std::string& path, int subimage) {
+    ImageDescription d = describe(source);
+    d.parts = subimageNames(path);
+    if (!d.parts.empty()) {
+        d.notes.push_back("of its parts " + d.parts + " only number " + std::to_string(subimage) +
+                          " is used (--part chooses)");
+    }
+    if (hasMipLevels(path, subimage)) {
+        d.notes.emplace_back("only the first of its mip levels is used");
+    }
     return d;
 }
 
 class OpenImageIOFile : public ImageFile {
   public:
-    explicit OpenImageIOFile(std::unique_ptr<RowSource> source)
-        : ImageFile(describe(*source)), source_(std::move(source)) {}
+    OpenImageIOFile(ImageDescription description, std::unique_ptr<RowSource> source)
+        : ImageFile(std::move(description)), source_(std::move(source)) {}
 
     std::optional<std::string> text(const std::string& attribute) const override {
         const auto* value = source_->spec().find_attribute(attribute);
@@ -97,12 +113,23 @@ class OpenImageIOFile : public ImageFile {
 
 }  // namespace
 
-std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path) {
-    return std::make_unique<OpenImageIOFile>(std::make_unique<RowSource>(path));
+std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path,
+                                               const std::optional<std::string>& part) {
+    if (!part) {
+        if (auto chroma = openLuminanceChroma(path)) return chroma;
+    }
+    const int subimage = part ? subimageNumber(path, *part) : 0;
+    auto source = std::make_unique<RowSource>(path, subimage);
+    if (source->input().format_name() == std::string_view("openexr") &&
+        !source->spec().format.is_floating_point()) {
+        throw FileError(path, "its channels hold whole numbers, as identifiers do, and no colours");
+    }
+    ImageDescription description = describe(*source, path, subimage);
+    return std::make_unique<OpenImageIOFile>(std::move(description), std::move(source));
 }
 
 StorageFacts storageFactsOf(const std::string& path) {
-    RowSource source(path);
+    RowSource source(path, 0);
     const OIIO::ImageSpec& spec = source.spec();
     StorageFacts facts;
     facts.channels = spec.nchannels;

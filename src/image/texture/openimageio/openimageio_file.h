@@ -7,7 +7,8 @@
 namespace specbake::internal {
 
 /// openImageFile() by OpenImageIO alone, whatever the file.
-std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path);
+std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path,
+                                               const std::optional<std::string>& part = {});
 
 /// How the file is stored. Throws FileError if it cannot be opened.
 StorageFacts storageFactsOf(const std::string& path);

@@ -9,11 +9,12 @@
 
 namespace specbake::internal {
 
-/// All that uses OpenImageIO. That library brings hundreds of others with it, a quarter of a
-/// second of loading, so a program may put it off until a file needs it.
+/// All that uses OpenImageIO, or the C++ library of OpenEXR. The former brings hundreds of others
+/// with it, a quarter of a second of loading, so a program may put it off until a file needs it.
 struct OpenImageIOParts {
     /// openWithOpenImageIO().
-    std::unique_ptr<ImageFile> (*openImage)(const std::string& path);
+    std::unique_ptr<ImageFile> (*openImage)(const std::string& path,
+                                            const std::optional<std::string>& part);
     /// storageFactsOf().
     StorageFacts (*storageFacts)(const std::string& path);
     /// createWithOpenImageIO().

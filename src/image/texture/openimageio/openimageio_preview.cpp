@@ -1,6 +1,6 @@
 #include "texture/openimageio/openimageio_preview.h"
 
-#include "texture/openimageio/row_source.h"
+#include "texture/openimageio/one_line.h"
 
 #include <specbake/core/color.h>
 #include <specbake/core/error.h>

@@ -1,43 +1,39 @@
 #include "texture/openimageio/row_source.h"
 
-#include "texture/image_file.h"
+#include "texture/openimageio/one_line.h"
+#include "texture/openimageio/quirks.h"
+#include "texture/openimageio/subimages.h"
+#include "texture/openimageio/webp_exif.h"
 
 #include <specbake/core/error.h>
 
 #include <algorithm>
 #include <cstring>
+#include <string_view>
+#include <utility>
 
 namespace specbake::internal {
-namespace {
 
-std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
-    OIIO::ImageSpec wishes;
-    wishes["oiio:UnassociatedAlpha"] = 1;
-    auto input = OIIO::ImageInput::open(path, &wishes);
-    if (!input) throw FileError(path, oneLine(OIIO::geterror()));
-    input->threads(1);
-    return input;
-}
-
-void checkSize(const std::string& path, const OIIO::ImageSpec& spec) {
-    if (spec.deep) throw FileError(path, "deep images are not textures");
-    if (spec.depth > 1) throw FileError(path, "volumes are not textures");
-    checkSides(path, spec.width, spec.height);
-    if (spec.tile_width > kLargestSide || spec.tile_height > kLargestSide) {
-        throw FileError(path, "tiles of more than " + std::to_string(kLargestSide) + " pixels");
+RowSource::RowSource(std::string path, int subimage)
+    : path_(std::move(path)),
+      subimage_(subimage),
+      input_(openSubimage(path_, subimage)),
+      spec_(input_->spec()),
+      remarks_(correctQuirks(input_->format_name(), spec_)) {
+    if (input_->format_name() == std::string_view("webp")) {
+        spec_["Orientation"] = webpOrientation(path_);
     }
+    checkConsistency(path_, spec_);
 }
 
-}  // namespace
-
-std::string oneLine(std::string text) {
-    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text.empty() ? "cannot be read" : text;
-}
-
-RowSource::RowSource(const std::string& path) : path_(path), input_(open(path)) {
-    checkSize(path, spec());
+/// A reader that says another size now than when it was opened would write past our buffers.
+void RowSource::checkUnchanged() const {
+    const OIIO::ImageSpec& now = input_->spec();
+    if (now.x != spec_.x || now.y != spec_.y || now.width != spec_.width ||
+        now.height != spec_.height || now.nchannels != spec_.nchannels ||
+        now.tile_width != spec_.tile_width || now.tile_height != spec_.tile_height) {
+        throw FileError(path_, "its reader says another size than before");
+    }
 }
 
 void RowSource::fail() {
@@ -46,9 +42,10 @@ void RowSource::fail() {
 
 void RowSource::read(int first, int count, const OIIO::TypeDesc& type,
                      std::span<std::byte> samples) {
+    checkUnchanged();
     if (spec().tile_width == 0) {
         const int y = spec().y + first;
-        if (!input_->read_scanlines(0, 0, y, y + count, 0, 0, spec().nchannels, type,
+        if (!input_->read_scanlines(subimage_, 0, y, y + count, 0, 0, spec().nchannels, type,
                                     samples.data()) ||
             input_->has_error()) {  // a truncated JPEG reads as grey, and only complains
             fail();
@@ -72,8 +69,8 @@ void RowSource::readTileRow(int tileRow, const OIIO::TypeDesc& type) {
     const int last = std::min(first + s.tile_height, s.y + s.height);
     tiles_.resize(std::size_t(s.width) * std::size_t(s.tile_height) * std::size_t(s.nchannels) *
                   type.size());
-    if (!input_->read_tiles(0, 0, s.x, s.x + s.width, first, last, 0, 1, 0, s.nchannels, type,
-                            tiles_.data())) {
+    if (!input_->read_tiles(subimage_, 0, s.x, s.x + s.width, first, last, 0, 1, 0, s.nchannels,
+                            type, tiles_.data())) {
         fail();
     }
     tileRow_ = tileRow;

@@ -10,18 +10,17 @@
 
 namespace specbake::internal {
 
-/// A library's message as one line without an end.
-std::string oneLine(std::string text);
-
-/// Rows of the first subimage and mip level of an open image, whether it is stored in scan lines
-/// or in tiles. Channels are interleaved, in the file's order.
+/// Rows of one subimage of a file, at its first mip level, whether it is stored in scan lines or in
+/// tiles. Channels are interleaved, in the file's order.
 class RowSource {
   public:
     /// Throws FileError if the file cannot be opened or is no image of bounded size.
     /// Colour is not multiplied by alpha unless the file holds it so.
-    explicit RowSource(const std::string& path);
+    RowSource(std::string path, int subimage);
 
-    const OIIO::ImageSpec& spec() const { return input_->spec(); }
+    /// What the file says of the subimage, made consistent and free of the reader's quirks.
+    const OIIO::ImageSpec& spec() const { return spec_; }
+    const std::vector<std::string>& remarks() const { return remarks_; }
     OIIO::ImageInput& input() { return *input_; }
 
     /// Rows [first, first + count), counted from 0, as samples of that type, for which there must
@@ -29,11 +28,15 @@ class RowSource {
     void read(int first, int count, const OIIO::TypeDesc& type, std::span<std::byte> samples);
 
   private:
+    void checkUnchanged() const;
     void readTileRow(int tileRow, const OIIO::TypeDesc& type);
     [[noreturn]] void fail();
 
     std::string path_;
+    int subimage_;
     std::unique_ptr<OIIO::ImageInput> input_;
+    OIIO::ImageSpec spec_;
+    std::vector<std::string> remarks_;
     std::vector<std::byte> tiles_;  ///< row tileRow_ of the tiles, as samples of tileType_
     int tileRow_ = -1;
     OIIO::TypeDesc tileType_;

@@ -113,6 +113,7 @@ bool takeOverChannels(const ExrInput& input, ImageDescription& image) {
     const auto alpha = std::find(ordered->begin(), ordered->end(), "A");
     if (alpha != ordered->end()) image.alpha = int(alpha - ordered->begin());
     image.associatedAlpha = image.alpha.has_value();
+    image.integers = false;
     image.sampleType =
         channels[0].pixel_type == EXR_PIXEL_HALF ? TexelType::half : TexelType::float32;
     return true;

@@ -3,7 +3,7 @@
 #include <specbake/core/api.h>
 #include <specbake/core/upsampler_options.h>
 #include <specbake/image/spectral_layout.h>
-#include <specbake/image/texture.h>
+#include <specbake/image/texture_reader.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -18,6 +18,7 @@ namespace specbake {
 
 /// How a texture is baked. The defaults are those of `specbake bake`.
 struct BakeOptions {
+    ReadOptions read;                  ///< of a texture in a file
     std::optional<std::string> space;  ///< of colorSpaces(); none: what the texture says
     UpsamplerOptions model;
     /// Instead of `model.grid`: the coarsest grid whose spectra deviate by at most this from the

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <specbake/core/api.h>
+#include <specbake/image/texture_reader.h>
 
 #include <cstddef>
 #include <optional>
@@ -12,6 +13,7 @@ struct VerifyOptions {
     std::optional<std::string> space;       ///< none: what the spectral file names
     std::optional<std::string> illuminant;  ///< none: what the spectral file names
     int threads = 0;                        ///< 0: all cores
+    ReadOptions read = {};                  ///< what is left open: as the spectral file was made
 };
 
 /// How far a spectral image is from its texture, over all texels.
