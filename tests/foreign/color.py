@@ -1,0 +1,69 @@
+"""From samples to colours and back, by closed forms and the tables of data/: the 81-term sum that
+docs/method.md calls the colour of a spectrum, IEC 61966-2-1 for sRGB, CIE 142 for CIEDE2000.
+"""
+
+import pathlib
+
+import numpy
+
+DATA = pathlib.Path(__file__).resolve().parents[2] / "data"
+REC709 = ((0.64, 0.33), (0.30, 0.60), (0.15, 0.06))
+
+
+def _table(name):
+    lines = [line for line in (DATA / name).read_text().splitlines() if not line.startswith("#")]
+    names = lines[0].split(",")
+    columns = numpy.array([[float(v) for v in line.split(",")] for line in lines[1:]]).T
+    return dict(zip(names, columns))
+
+
+def weights(illuminant):
+    """81 x 3: what each band adds to X, Y and Z of a surface; white has Y = 1."""
+    observer = _table("cie1931_2deg_5nm.csv")
+    light = _table("illuminants_5nm.csv")[illuminant]
+    w = numpy.stack([observer[c] * light for c in ("xbar", "ybar", "zbar")], axis=1)
+    return w / w[:, 1].sum()
+
+
+def rgb_to_xyz(white, primaries=REC709):
+    """The matrix by which R = G = B = 1 is the white."""
+    columns = numpy.array([[x / y, 1, (1 - x - y) / y] for x, y in primaries]).T
+    return columns * numpy.linalg.solve(columns, white)
+
+
+def linear_from_srgb(v):
+    v = numpy.asarray(v, numpy.float64)
+    return numpy.where(v <= 0.04045, v / 12.92, ((numpy.maximum(v, 0) + 0.055) / 1.055) ** 2.4)
+
+
+def lab(xyz, white):
+    t = xyz / white
+    f = numpy.where(t > (6 / 29) ** 3, numpy.cbrt(t), t * (29 / 6) ** 2 / 3 + 4 / 29)
+    return numpy.stack([116 * f[..., 1] - 16, 500 * (f[..., 0] - f[..., 1]),
+                        200 * (f[..., 1] - f[..., 2])], axis=-1)
+
+
+def ciede2000(one, other):
+    """CIE 142-2001, with kL = kC = kH = 1."""
+    l1, a1, b1 = numpy.moveaxis(one, -1, 0)
+    l2, a2, b2 = numpy.moveaxis(other, -1, 0)
+    c = (numpy.hypot(a1, b1) + numpy.hypot(a2, b2)) / 2
+    g = 1.5 - 0.5 * numpy.sqrt(c**7 / (c**7 + 25.0**7))
+    c1, c2 = numpy.hypot(g * a1, b1), numpy.hypot(g * a2, b2)
+    h1, h2 = numpy.arctan2(b1, g * a1), numpy.arctan2(b2, g * a2)
+    h1, h2 = h1 % (2 * numpy.pi), h2 % (2 * numpy.pi)
+    dh = h2 - h1
+    dh -= 2 * numpy.pi * (numpy.sign(dh) * (numpy.abs(dh) > numpy.pi))
+    dh = numpy.where(c1 * c2 == 0, 0, dh)
+    h = numpy.where(c1 * c2 == 0, h1 + h2, h1 + dh / 2)
+    dl, dc, dhue = l2 - l1, c2 - c1, 2 * numpy.sqrt(c1 * c2) * numpy.sin(dh / 2)
+    l, c = (l1 + l2) / 2, (c1 + c2) / 2
+    t = (1 - 0.17 * numpy.cos(h - numpy.pi / 6) + 0.24 * numpy.cos(2 * h)
+         + 0.32 * numpy.cos(3 * h + numpy.pi / 30) - 0.20 * numpy.cos(4 * h - 63 * numpy.pi / 180))
+    sl = 1 + 0.015 * (l - 50) ** 2 / numpy.sqrt(20 + (l - 50) ** 2)
+    sc, sh = 1 + 0.045 * c, 1 + 0.015 * c * t
+    degrees = numpy.degrees(h) % 360
+    rt = (-2 * numpy.sqrt(c**7 / (c**7 + 25.0**7))
+          * numpy.sin(numpy.radians(60 * numpy.exp(-(((degrees - 275) / 25) ** 2)))))
+    return numpy.sqrt((dl / sl) ** 2 + (dc / sc) ** 2 + (dhue / sh) ** 2
+                      + rt * (dc / sc) * (dhue / sh))
