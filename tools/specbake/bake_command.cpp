@@ -189,8 +189,11 @@ Command addBake(CLI::App& program) {
         ->check(CLI::IsMember(sampleTypeNames()))
         ->capture_default_str();
     command
-        ->add_option("--compression", a->compression,
-                     "none, zip[:LEVEL], zips[:LEVEL] or piz; levels 1-3 fast, 4-12 small")
+        ->add_option(
+            "--compression", a->compression,
+            "none, zip[:LEVEL], zips[:LEVEL] or piz; levels 1-3 are fast, 3 the default; 4-9 "
+            "take 3 to 45 times as long for at most 3 % less, 4-7 for more on smooth "
+            "textures; 10-12 take 50 to 80 times as long, for 3 % less")
         ->capture_default_str();
     command->add_option("--tile", a->tile, "store tiles of this size instead of scan lines")
         ->expected(2)

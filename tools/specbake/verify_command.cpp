@@ -5,6 +5,7 @@
 #include <specbake/bake/compare_spectra.h>
 #include <specbake/bake/verify.h>
 #include <specbake/core/error.h>
+#include <specbake/image/second_reading.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -27,6 +28,7 @@ struct Arguments {
     VerifyOptions options;
     std::optional<double> maxDE;
     double maxBand = 0.001;
+    bool independent = true;
     bool json = false;
     bool quiet = false;
 };
@@ -96,6 +98,21 @@ void show(const Arguments& a, const Found& found, const char* name, Json& json) 
     if (!a.json && !a.quiet) printText(a, found);
 }
 
+/// Reads the texture once more by another reader than the bake did; false if that finds it
+/// different.
+bool confirmReading(const Arguments& a, Json& json) {
+    if (!a.independent) return true;
+    const SecondReading second = compareReadings(a.texture);
+    const std::string result = !second.possible ? "only OpenImageIO reads this file; not confirmed"
+                               : second.difference
+                                   ? "OpenImageIO reads otherwise: " + *second.difference
+                                   : "OpenImageIO reads the same";
+    json["colors"]["reading"] = result;
+    const bool agree = !second.difference;
+    if (!a.json && !a.quiet) std::printf("%s: %s\n", a.texture.c_str(), result.c_str());
+    return agree;
+}
+
 ExitCode verifyCommand(const Arguments& a) {
     if (a.texture.empty() && a.reference.empty()) {
         throw ArgumentError("verify: a texture, or --spectra REFERENCE, is needed to compare with");
@@ -108,7 +125,7 @@ ExitCode verifyCommand(const Arguments& a) {
         options.read = a.read.options();
         const Verification v = verify(a.spectral, a.texture, options);
         show(a, v, "colors", json);
-        passed = v.passes(a.maxDE);
+        passed = confirmReading(a, json) && v.passes(a.maxDE);
     }
     if (!a.reference.empty()) {
         const SpectralDifference d = compareSpectra(a.spectral, a.reference, a.options.threads);
@@ -149,6 +166,9 @@ Command addVerify(CLI::App& program) {
                         "colour space of the texture, instead of the one that the file names");
     command->add_option("--illuminant", a->options.illuminant,
                         "light, instead of the one that the file names");
+    command->add_flag("--independent,!--no-independent", a->independent,
+                      "read the texture by OpenImageIO too, where the bake reads it by a reader of "
+                      "its own, and exit 3 if they differ; the default");
     addThreads(*command, a->options.threads);
     command->add_flag("--json", a->json, "print the figures as JSON");
     command->add_flag("-q,--quiet", a->quiet, "print nothing: the exit code tells");

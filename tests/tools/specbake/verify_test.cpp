@@ -200,4 +200,22 @@ TEST_CASE("large differences have their true percentile") {
     CHECK(difference.at("mean") == difference.at("max"));
 }
 
+TEST_CASE("a texture is read by another reader too, or there is none, and verify says which") {
+    const Scratch scratch;
+    const std::string baked = scratch.path("o.exr");
+    const std::vector<std::pair<std::string, std::string>> readings = {
+        {"rgb8.png", "rgb8.png: OpenImageIO reads the same"},
+        {"grey16.png", "grey16.png: OpenImageIO reads the same"},
+        {"rgb8.jpg", "rgb8.jpg: only OpenImageIO reads this file"},
+        {"rgb8.tif", "rgb8.tif: only OpenImageIO reads this file"}};
+    for (const auto& [image, words] : readings) {
+        CAPTURE(image);
+        REQUIRE(runTool({"bake", "-q", testImage(image), "-o", baked}).exitCode == 0);
+        const Outcome outcome = runTool({"verify", baked, testImage(image)});
+        CHECK(outcome.exitCode == 0);
+        CHECK(says(outcome, words));
+        CHECK(!says(runTool({"verify", "--no-independent", baked, testImage(image)}), words));
+    }
+}
+
 TEST_SUITE_END();

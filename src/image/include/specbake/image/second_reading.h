@@ -1,0 +1,22 @@
+#pragma once
+
+#include <specbake/core/api.h>
+
+#include <optional>
+#include <string>
+
+namespace specbake {
+
+/// A texture's file, read by both of the readers that know it.
+struct SecondReading {
+    bool possible = false;  ///< false: OpenImageIO alone reads this file
+    /// What the two do not read alike, as one line: nothing if they agree.
+    std::optional<std::string> difference;
+};
+
+/// PNG, JPEG and EXR files that hold nothing unusual are read by readers of our own, as
+/// TextureReader does; OpenImageIO reads them too. Compares windows, channels, alpha, types and
+/// every stored sample of the two. Throws FileError if either cannot read the file.
+SPECBAKE_API SecondReading compareReadings(const std::string& path);
+
+}  // namespace specbake
