@@ -68,10 +68,10 @@ std::vector<Spectrum> spectraOf(const Method& method, const std::vector<XYZ>& co
 
 /// What a spectrum becomes when it is stored as halves with so many bits of mantissa.
 Spectrum storedAsHalves(const Spectrum& spectrum, int bits) {
+    std::array<float, kBandCount> floats;
+    std::ranges::transform(spectrum, floats.begin(), [](double v) { return float(v); });
     std::array<Imath::half, kBandCount> halves;
-    std::ranges::transform(spectrum, halves.begin(),
-                           [](double v) { return Imath::half(float(v)); });
-    internal::roundMantissa(std::as_writable_bytes(std::span(halves)), bits);
+    internal::storeRounded(floats, bits, std::as_writable_bytes(std::span(halves)).data());
     Spectrum stored;
     std::ranges::copy(halves, stored.begin());
     return stored;

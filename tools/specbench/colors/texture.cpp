@@ -19,8 +19,8 @@ std::vector<RGB> distinctColors(const std::string& texture, std::size_t count) {
     }
     const TexelDecoder decoder(info, info.automaticSpace);
     std::vector<internal::TexelColor> colors;
-    const auto append = [&](std::span<const internal::TexelColor> some) {
-        colors.insert(colors.end(), some.begin(), some.end());
+    const auto append = [&](std::span<const internal::ColorCount> some) {
+        for (const auto& counted : some) colors.push_back(counted.color);
     };
     internal::surveyColors({reader, decoder, 1, {}}, append);
     std::sort(colors.begin(), colors.end());
