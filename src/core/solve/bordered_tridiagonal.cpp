@@ -1,5 +1,7 @@
 #include "solve/bordered_tridiagonal.h"
 
+#include "solve/newton_limits.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -37,10 +39,8 @@ bool solveDense(DenseSystem& m) {
     return true;
 }
 
-/// Pivots of the elimination are kept off zero; a Newton step needs no more.
 double awayFromZero(double pivot) {
-    constexpr double least = 1e-12;  // beside off-diagonals of 1
-    return std::abs(pivot) < least ? std::copysign(least, pivot) : pivot;
+    return std::abs(pivot) < kLeastPivot ? std::copysign(kLeastPivot, pivot) : pivot;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "solve/smooth.h"
 
 #include "solve/bordered_tridiagonal.h"
+#include "solve/newton_limits.h"
 
 #include <specbake/core/vector.h>
 
@@ -12,11 +13,6 @@ namespace specbake::internal {
 namespace {
 
 using Imath::V3d;
-
-constexpr double kTolerance = 1e-12;      ///< of the residual, relative to the colour
-constexpr double kSlopeTolerance = 1e-9;  ///< of the stationarity equations, absolute
-constexpr int kMaxIterations = 60;
-constexpr double kLongestStep = 2;  ///< in z: tanh changes its character over about 2
 
 /// z and the three multipliers, with the two residuals of the stationarity equations.
 struct Point {
@@ -31,10 +27,8 @@ struct Reflectance {
     double slope;
 };
 
-/// Beyond |z| = 150 the smaller of s and 1 - s is below 1e-130: held there, since products of
-/// smaller numbers would be subnormal, which many processors are slow at.
 Reflectance reflectanceOf(double z) {
-    const double e = std::exp(-2 * std::min(std::abs(z), 150.0));
+    const double e = std::exp(-2 * std::min(std::abs(z), kHeldAt));
     const double larger = 1 / (1 + e);
     const double smaller = e * larger;
     const double slope = 2 * larger * smaller;
@@ -160,7 +154,7 @@ Solution SmoothSolver::solve(const XYZ& color) const {
     if (const auto level = greyLevel(color, observer_.white())) {
         return flatSolution(observer_, color, *level);
     }
-    const double luminance = std::clamp(color.y, 1e-12, 1 - 1e-12);
+    const double luminance = std::clamp(color.y, kLeastLuminance, 1 - kLeastLuminance);
     Point start;
     start.z.fill(0.5 * std::log(luminance / (1 - luminance)));
     Point p = start;
