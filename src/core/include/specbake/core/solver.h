@@ -4,6 +4,8 @@
 #include <specbake/core/color.h>
 #include <specbake/core/spectrum.h>
 
+#include <span>
+
 namespace specbake {
 
 /// How a solve went. Failure is a value: a caller looks at `status` before it uses the spectrum.
@@ -34,6 +36,11 @@ class SPECBAKE_API Solver {
   public:
     virtual ~Solver() = default;
     virtual Solution solve(const XYZ& color) const = 0;
+
+    /// Solves `colors[i]` into `solutions[i]`, to the bits that solve() gives, whatever the other
+    /// colours are. As many of the one as of the other. Where a method has a way to solve many
+    /// colours at once, this is much faster; some hundreds are enough for it.
+    virtual void solveMany(std::span<const XYZ> colors, std::span<Solution> solutions) const;
 };
 
 }  // namespace specbake
