@@ -1,0 +1,48 @@
+#include "bindings.h"
+
+#include <specbake/core/color.h>
+#include <specbake/core/methods.h>
+#include <specbake/core/observer.h>
+#include <specbake/core/wavelengths.h>
+#include <specbake/version.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+
+namespace specbake::python {
+namespace {
+
+py::array_t<double> bandWavelengths() {
+    py::array_t<double> nm(kBandCount);
+    for (int band = 0; band < kBandCount; ++band) nm.mutable_at(band) = wavelength(band);
+    nm.attr("flags").attr("writeable") = false;
+    return nm;
+}
+
+void addNames(py::module_& module) {
+    py::tuple spaces(colorSpaces().size());
+    for (std::size_t i = 0; i < colorSpaces().size(); ++i) spaces[i] = colorSpaces()[i].name;
+    py::tuple names(methods().size());
+    for (std::size_t i = 0; i < methods().size(); ++i) names[i] = methods()[i].name;
+    module.attr("SPACES") = spaces;
+    module.attr("LIGHTS") = py::tuple(py::cast(illuminantNames()));
+    module.attr("METHODS") = names;
+    module.attr("WAVELENGTHS") = bandWavelengths();
+    module.attr("__version__") = kVersion;
+}
+
+}  // namespace
+}  // namespace specbake::python
+
+PYBIND11_MODULE(_specbake, module) {
+    using namespace specbake::python;
+    addErrors(module);
+    addNames(module);
+    addObserver(module);
+    addTable(module);
+    addUpsampler(module);
+    addBaking(module);
+    addSpectralImage(module);
+}
