@@ -1,5 +1,7 @@
 #include "solve/shell.h"
 
+#include "solve/solve_list.h"
+
 #include <specbake/core/error.h>
 #include <specbake/core/vector.h>
 
@@ -7,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace specbake::internal {
 namespace {
@@ -49,42 +53,95 @@ double ShellSolver::depth(const XYZ& boundary) const {
 }
 
 Solution ShellSolver::solve(const XYZ& color) const {
-    if (!isFinite(color)) return {};
-    if (const auto value = cornerValue(color, solid_.white())) {
-        return report(observer_, color, constantSpectrum(*value), solved);
-    }
-    const double r = solid_.gauge(color);
-    if (r > 1 + 4 * solid_.gaugeError()) {
-        return report(observer_, color, solid_.boundary(color).spectrum, outside);
-    }
-    const Imath::V3d toBoundary = (color - solid_.center()) / std::max(r, 1e-300);
-    if (1 - r >= depth(XYZ(solid_.center() + toBoundary))) {
-        const Solution solution = smooth_.solve(color);
-        if (solution.solved()) return solution;
-    }
-    return blend(color);
+    Solution solution;
+    solveMany({&color, 1}, {&solution, 1});
+    return solution;
 }
 
-/// In the layer; also the way out if Newton should fail below it.
-Solution ShellSolver::blend(const XYZ& color) const {
-    const Solid::Boundary boundary = solid_.boundary(color);
-    const double below = 1 - boundary.gauge;  // d
-    if (below <= 0) return report(observer_, color, boundary.spectrum, solved);
-    const double layer = depth(boundary.color);
-    double deep = below < layer ? layer : std::min(1.0, 2 * below);  // D
-    SolveReport effort;
-    for (effort.starts = 1;; ++effort.starts, deep = std::min(1.0, 2 * deep)) {
-        const Imath::V3d fromCenter = (boundary.color - solid_.center()) * (1 - deep);
-        const Solution inner = smooth_.solve(XYZ(solid_.center() + fromCenter));
-        effort.iterations += inner.report.iterations;
-        if (!inner.solved() && deep < 1) continue;
-        Solution solution =
-            report(observer_, color, mix(boundary.spectrum, inner.spectrum, below / deep), solved);
-        solution.report.iterations = effort.iterations;
-        solution.report.starts = effort.starts;
-        solution.report.blended = true;
-        return solution;
+void ShellSolver::solveMany(std::span<const XYZ> colors, std::span<Solution> solutions) const {
+    SolveList deep;
+    std::vector<std::size_t> layer;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const XYZ& color = colors[i];
+        solutions[i] = {};
+        if (!isFinite(color)) continue;
+        if (const auto value = cornerValue(color, solid_.white())) {
+            solutions[i] = report(observer_, color, constantSpectrum(*value), solved);
+            continue;
+        }
+        const double r = solid_.gauge(color);
+        const Imath::V3d toBoundary = (color - solid_.center()) / std::max(r, 1e-300);
+        if (r > 1 + 4 * solid_.gaugeError()) {
+            solutions[i] = report(observer_, color, solid_.boundary(color).spectrum, outside);
+        } else if (1 - r >= depth(XYZ(solid_.center() + toBoundary))) {
+            deep.add(i, color);
+        } else {
+            layer.push_back(i);
+        }
     }
+    deep.solve(smooth_);
+    for (std::size_t k = 0; k < deep.size(); ++k) {
+        solutions[deep.places[k]] = deep.solutions[k];
+        if (!deep.solutions[k].solved()) layer.push_back(deep.places[k]);
+    }
+    blend(colors, layer, solutions);
+}
+
+/// A colour of the layer, on the way to its mixture.
+struct ShellSolver::Layered {
+    Solid::Boundary boundary;
+    std::size_t place = 0;
+    double below = 0;  ///< d
+    double deep = 0;   ///< D
+    int starts = 1;
+    int iterations = 0;
+};
+
+/// In the layer; also the way out if Newton should fail below it.
+void ShellSolver::blend(std::span<const XYZ> colors, std::span<const std::size_t> places,
+                        std::span<Solution> solutions) const {
+    std::vector<Layered> waiting;
+    for (const std::size_t i : places) {
+        Layered colour{solid_.boundary(colors[i]), i};
+        colour.below = 1 - colour.boundary.gauge;
+        const double layer = depth(colour.boundary.color);
+        colour.deep = colour.below < layer ? layer : std::min(1.0, 2 * colour.below);
+        if (colour.below > 0) {
+            waiting.push_back(colour);
+        } else {
+            solutions[i] = report(observer_, colors[i], colour.boundary.spectrum, solved);
+        }
+    }
+    while (!waiting.empty()) {
+        SolveList inner;
+        for (const Layered& c : waiting) {
+            const Imath::V3d fromCenter = (c.boundary.color - solid_.center()) * (1 - c.deep);
+            inner.add(c.place, XYZ(solid_.center() + fromCenter));
+        }
+        inner.solve(smooth_);
+        std::vector<Layered> failed;
+        for (std::size_t k = 0; k < waiting.size(); ++k) {
+            Layered& c = waiting[k];
+            c.iterations += inner.solutions[k].report.iterations;
+            if (!inner.solutions[k].solved() && c.deep < 1) {
+                c.deep = std::min(1.0, 2 * c.deep);
+                ++c.starts;
+                failed.push_back(c);
+            } else {
+                solutions[c.place] = mixture(colors[c.place], c, inner.solutions[k].spectrum);
+            }
+        }
+        waiting = std::move(failed);
+    }
+}
+
+Solution ShellSolver::mixture(const XYZ& color, const Layered& c, const Spectrum& inner) const {
+    const Spectrum mixed = mix(c.boundary.spectrum, inner, c.below / c.deep);
+    Solution solution = report(observer_, color, mixed, solved);
+    solution.report.iterations = c.iterations;
+    solution.report.starts = c.starts;
+    solution.report.blended = true;
+    return solution;
 }
 
 }  // namespace specbake::internal

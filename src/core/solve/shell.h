@@ -46,6 +46,7 @@ class ShellSolver : public Solver {
     /// `outside` for others: s is that of the boundary point towards the centre. `failed` only for
     /// colours that are not finite.
     Solution solve(const XYZ& color) const override;
+    void solveMany(std::span<const XYZ> colors, std::span<Solution> solutions) const override;
 
     const Solid& solid() const { return solid_; }
 
@@ -53,7 +54,10 @@ class ShellSolver : public Solver {
     double depth(const XYZ& boundary) const;
 
   private:
-    Solution blend(const XYZ& color) const;
+    struct Layered;
+    void blend(std::span<const XYZ> colors, std::span<const std::size_t> places,
+               std::span<Solution> solutions) const;
+    Solution mixture(const XYZ& color, const Layered& c, const Spectrum& inner) const;
 
     double relativeDepth_;
     Observer observer_;

@@ -1,168 +1,31 @@
 #include "solve/smooth.h"
 
-#include "solve/bordered_tridiagonal.h"
-#include "solve/newton_limits.h"
+#include "solve/grey.h"
+#include "solve/smooth_lanes.h"
 
-#include <specbake/core/vector.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <vector>
 
 namespace specbake::internal {
-namespace {
-
-using Imath::V3d;
-
-/// z and the three multipliers, with the two residuals of the stationarity equations.
-struct Point {
-    std::array<double, kBandCount> z;
-    V3d multipliers{0.0};
-};
-
-/// s = ½(1 + tanh z), its complement and ds/dz = 2 s (1 - s), none with cancellation.
-struct Reflectance {
-    double value;
-    double complement;
-    double slope;
-};
-
-Reflectance reflectanceOf(double z) {
-    const double e = std::exp(-2 * std::min(std::abs(z), kHeldAt));
-    const double larger = 1 / (1 + e);
-    const double smaller = e * larger;
-    const double slope = 2 * larger * smaller;
-    return z < 0 ? Reflectance{smaller, larger, slope} : Reflectance{larger, smaller, slope};
-}
-
-/// The Lagrangian's first and second derivatives at a point.
-struct Linearisation {
-    Spectrum s;
-    BorderedTridiagonal hessian;
-    BorderedVector gradient;
-
-    double slope() const {
-        double worst = 0;
-        for (const double g : gradient.x) worst = std::max(worst, std::abs(g));
-        return worst;
-    }
-    double residual() const { return largestComponent(gradient.y); }
-};
-
-/// L = ½ Σ (z_{m+1} - z_m)² + λ·(W s(z) - t)
-Linearisation linearise(const Observer& observer, const XYZ& target, const Point& p) {
-    const auto& w = observer.weights();
-    constexpr std::size_t last = kBandCount - 1;
-    Linearisation l;
-    l.gradient.y = -target;
-    for (std::size_t m = 0; m <= last; ++m) {
-        const auto [s, complement, ds] = reflectanceOf(p.z[m]);
-        const double pull = w[m].dot(p.multipliers);
-        const double toLower = m > 0 ? p.z[m] - p.z[m - 1] : 0;
-        const double toUpper = m < last ? p.z[m] - p.z[m + 1] : 0;
-        l.s[m] = s;
-        l.gradient.x[m] = toLower + toUpper + ds * pull;
-        l.gradient.y += w[m] * s;
-        l.hessian.diagonal[m] = (m > 0) + (m < last) + 2 * ds * (complement - s) * pull;
-        l.hessian.border[m] = w[m] * ds;
-    }
-    return l;
-}
-
-/// One damped Newton step; false where there is none.
-bool step(const Linearisation& l, Point& p) {
-    BorderedVector change = l.gradient;
-    if (!solveInPlace(l.hessian, change)) return false;
-    double longest = 0;
-    for (const double dz : change.x) longest = std::max(longest, std::abs(dz));
-    if (!std::isfinite(longest)) return false;
-    const double damping = std::min(1.0, kLongestStep / longest);
-    for (std::size_t m = 0; m < p.z.size(); ++m) p.z[m] -= damping * change.x[m];
-    p.multipliers -= change.y * damping;
-    return true;
-}
-
-struct Outcome {
-    bool converged = false;
-    int iterations = 0;
-    Linearisation last;
-};
-
-Outcome newton(const Observer& observer, const XYZ& target, Point& p) {
-    Outcome outcome;
-    for (;; ++outcome.iterations) {
-        outcome.last = linearise(observer, target, p);
-        outcome.converged = outcome.last.residual() <= kTolerance * largestComponent(target) &&
-                            outcome.last.slope() <= kSlopeTolerance;
-        if (outcome.converged || outcome.iterations == kMaxIterations) return outcome;
-        if (!step(outcome.last, p)) return outcome;
-    }
-}
-
-Solution solutionOf(const Outcome& outcome) {
-    using enum SolveReport::Status;
-    Solution solution{outcome.last.s, {}};
-    solution.report.status = outcome.converged ? solved : failed;
-    solution.report.residual = outcome.last.residual();
-    solution.report.iterations = outcome.iterations;
-    return solution;
-}
-
-/// The grey of a colour's luminance, if the colour is that grey to rounding.
-std::optional<double> greyLevel(const XYZ& color, const XYZ& white) {
-    const double level = color.y / white.y;
-    const double rounding = 8 * std::numeric_limits<double>::epsilon();  // a 3x3 product's
-    if (largestComponent(color - white * level) >
-        rounding * std::max(largestComponent(color), 1e-300))
-        return {};
-    if (std::abs(level - 1) <= rounding) return 1;
-    return level;
-}
-
-Solution flatSolution(const Observer& observer, const XYZ& color, double level) {
-    using enum SolveReport::Status;
-    Solution solution{constantSpectrum(std::clamp(level, 0.0, 1.0)), {}};
-    solution.report.residual = largestComponent(observer.color(solution.spectrum) - color);
-    solution.report.status = level < 0 || level > 1 ? outside : solved;
-    return solution;
-}
-
-/// From the grey towards the colour, halving the stride where Newton does not follow.
-Outcome approach(const Observer& observer, const XYZ& grey, const XYZ& color, Point p) {
-    Outcome outcome;
-    int iterations = 0;
-    double reached = 0;
-    for (double stride = 0.5; stride > 1.0 / 256 && reached < 1; iterations += outcome.iterations) {
-        const double next = std::min(1.0, reached + stride);
-        Point trial = p;
-        outcome = newton(observer, XYZ(grey + (color - grey) * next), trial);
-        if (outcome.converged) {
-            p = trial;
-            reached = next;
-        } else {
-            stride /= 2;
-        }
-    }
-    if (reached < 1) outcome = newton(observer, color, p);
-    outcome.iterations += iterations;
-    return outcome;
-}
-
-}  // namespace
 
 Solution SmoothSolver::solve(const XYZ& color) const {
-    if (const auto level = greyLevel(color, observer_.white())) {
-        return flatSolution(observer_, color, *level);
+    Solution solution;
+    solveMany({&color, 1}, {&solution, 1});
+    return solution;
+}
+
+void SmoothSolver::solveMany(std::span<const XYZ> colors, std::span<Solution> solutions) const {
+    std::vector<std::size_t> chromatic;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        if (const auto grey = greySolution(observer_, colors[i])) {
+            solutions[i] = *grey;
+        } else {
+            chromatic.push_back(i);
+        }
     }
-    const double luminance = std::clamp(color.y, kLeastLuminance, 1 - kLeastLuminance);
-    Point start;
-    start.z.fill(0.5 * std::log(luminance / (1 - luminance)));
-    Point p = start;
-    Outcome outcome = newton(observer_, color, p);
-    if (!outcome.converged) {
-        outcome = approach(observer_, XYZ(observer_.white() * luminance), color, start);
+    solveInLanes(observer_, colors, chromatic, solutions);
+    for (const std::size_t i : chromatic) {
+        if (!solutions[i].solved()) solutions[i] = scalar_.approach(colors[i]);
     }
-    return solutionOf(outcome);
 }
 
 }  // namespace specbake::internal

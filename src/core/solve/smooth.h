@@ -1,5 +1,7 @@
 #pragma once
 
+#include "solve/smooth_scalar.h"
+
 #include <specbake/core/observer.h>
 #include <specbake/core/solver.h>
 
@@ -11,18 +13,22 @@ namespace specbake::internal {
 /// squared. By construction 0 < s < 1; black, white and greys come out exact (0, 1, flat).
 ///
 /// Newton's method on the 84 stationarity equations, O(81) a step, starting from the grey of the
-/// same luminance. Where that does not converge the colour is approached from the grey in steps.
+/// same luminance: for many colours at once, a colour in each lane of the processor's registers
+/// (smooth_lanes.h). One colour goes the same way, so that its bits are the same in any company.
+/// Where that does not converge the colour is approached from the grey in steps.
 /// Colours at the very boundary of the object-colour solid have |z| without bound and are reported
 /// as failed: see shell.h, which never fails.
 class SmoothSolver : public Solver {
   public:
-    explicit SmoothSolver(const Observer& observer) : observer_(observer) {}
+    explicit SmoothSolver(const Observer& observer) : observer_(observer), scalar_(observer) {}
 
     /// `solved`: residual <= 1e-12 max(X, Y, Z), to rounding.
     Solution solve(const XYZ& color) const override;
+    void solveMany(std::span<const XYZ> colors, std::span<Solution> solutions) const override;
 
   private:
     Observer observer_;
+    ScalarSmoothSolver scalar_;
 };
 
 }  // namespace specbake::internal

@@ -87,11 +87,12 @@ HWY_INLINE std::array<Vector, 4> solveDense(Dense rows) {
     return {rows[0][4], rows[1][4], rows[2][4], rows[3][4]};
 }
 
-/// The iteration of kLanes colours, and their places in the list of all.
+/// The iteration of kLanes colours, and their places among all.
 class Iteration {
   public:
-    Iteration(const Observer& observer, std::span<const XYZ> colors, std::span<Solution> solutions)
-        : weights_(observer.weights()), colors_(colors), solutions_(solutions) {}
+    Iteration(const Observer& observer, std::span<const XYZ> colors,
+              std::span<const std::size_t> places, std::span<Solution> solutions)
+        : weights_(observer.weights()), colors_(colors), places_(places), solutions_(solutions) {}
 
     void run() {
         for (std::size_t lane = 0; lane < kLanes; ++lane) refill(lane);
@@ -106,9 +107,10 @@ class Iteration {
   private:
     /// The next colour, from the grey of its luminance; if none is left, the lane idles.
     void refill(std::size_t lane) {
-        place_[lane] = next_;
-        if (next_ == colors_.size()) return;
-        const XYZ& color = colors_[next_++];
+        place_[lane] = colors_.size();
+        if (next_ == places_.size()) return;
+        place_[lane] = places_[next_++];
+        const XYZ& color = colors_[place_[lane]];
         const double luminance = std::clamp(color.y, kLeastLuminance, 1 - kLeastLuminance);
         const double start = 0.5 * std::log(luminance / (1 - luminance));
         for (Lanes& z : z_) z.value[lane] = start;
@@ -264,11 +266,10 @@ class Iteration {
         }
         Solution& solution = solutions_[place_[lane]];
         for (std::size_t m = 0; m < kBandCount; ++m) solution.spectrum[m] = s_[m].value[lane];
-        solution.report = {};
-        solution.report.status =
-            converged ? SolveReport::Status::solved : SolveReport::Status::failed;
-        solution.report.residual = residual_.value[lane];
-        solution.report.iterations = iterations_[lane];
+        using enum SolveReport::Status;
+        solution.report = {.status = converged ? solved : failed,
+                           .residual = residual_.value[lane],
+                           .iterations = iterations_[lane]};
         --busy_;
         refill(lane);
     }
@@ -313,10 +314,11 @@ class Iteration {
 
     const std::array<Imath::V3d, kBandCount>& weights_;
     std::span<const XYZ> colors_;
+    std::span<const std::size_t> places_;
     std::span<Solution> solutions_;
-    std::size_t next_ = 0;  ///< the first colour that no lane has taken
+    std::size_t next_ = 0;  ///< in places_: the first that no lane has taken
     int busy_ = 0;
-    std::array<std::size_t, kLanes> place_{};
+    std::array<std::size_t, kLanes> place_{};  ///< of each lane's colour; beyond all: it idles
     std::array<int, kLanes> iterations_{};
     std::array<bool, kLanes> fresh_{};
     Bands z_, s_, slope_, bend_, inverse_, x_, y_, zRow_, right_;
@@ -326,8 +328,8 @@ class Iteration {
 };
 
 void solveColors(const Observer& observer, std::span<const XYZ> colors,
-                 std::span<Solution> solutions) {
-    Iteration(observer, colors, solutions).run();
+                 std::span<const std::size_t> places, std::span<Solution> solutions) {
+    Iteration(observer, colors, places, solutions).run();
 }
 
 }  // namespace
@@ -341,8 +343,8 @@ HWY_EXPORT(solveColors);
 }  // namespace
 
 void solveInLanes(const Observer& observer, std::span<const XYZ> colors,
-                  std::span<Solution> solutions) {
-    HWY_DYNAMIC_DISPATCH(solveColors)(observer, colors, solutions);
+                  std::span<const std::size_t> places, std::span<Solution> solutions) {
+    HWY_DYNAMIC_DISPATCH(solveColors)(observer, colors, places, solutions);
 }
 
 }  // namespace specbake::internal

@@ -1,6 +1,6 @@
 #include "solve/smooth_lanes.h"
 
-#include "solve/smooth.h"
+#include "solve/smooth_scalar.h"
 #include "support/each_target.h"
 #include "support/sample_colors.h"
 
@@ -35,7 +35,9 @@ std::vector<XYZ> colorsUnder(const Observer& observer, std::size_t count) {
 
 std::vector<Solution> solved(const Observer& observer, const std::vector<XYZ>& colors) {
     std::vector<Solution> solutions(colors.size());
-    solveInLanes(observer, colors, solutions);
+    std::vector<std::size_t> places(colors.size());
+    std::iota(places.begin(), places.end(), 0);
+    solveInLanes(observer, colors, places, solutions);
     return solutions;
 }
 
@@ -53,7 +55,7 @@ TEST_CASE("many colours at once have the spectra that each has by itself") {
     for (const char* light : {"D65", "A", "F11"}) {
         CAPTURE(light);
         const Observer observer(light);
-        const SmoothSolver reference(observer);
+        const ScalarSmoothSolver reference(observer);
         const std::vector<XYZ> colors = colorsUnder(observer, 1200);
         onEachTarget([&] {
             const std::vector<Solution> many = solved(observer, colors);

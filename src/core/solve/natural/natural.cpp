@@ -26,10 +26,19 @@ NaturalSolver::NaturalSolver(const Observer& observer, std::shared_ptr<const Sol
 
 Solution NaturalSolver::solve(const XYZ& color) const {
     Solution solution = base_->solve(color);
-    if (!solution.solved()) return solution;
+    move(color, solution);
+    return solution;
+}
+
+void NaturalSolver::solveMany(std::span<const XYZ> colors, std::span<Solution> solutions) const {
+    base_->solveMany(colors, solutions);
+    for (std::size_t i = 0; i < colors.size(); ++i) move(colors[i], solutions[i]);
+}
+
+void NaturalSolver::move(const XYZ& color, Solution& solution) const {
+    if (!solution.solved()) return;
     solution.spectrum = movedWithinBounds(solution.spectrum, vote_.at(color));
     solution.report.residual = largestComponent(observer_.color(solution.spectrum) - color);
-    return solution;
 }
 
 }  // namespace specbake::internal

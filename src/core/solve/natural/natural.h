@@ -25,10 +25,13 @@ class NaturalSolver : public Solver {
 
     /// Status, effort and `blended` are the base's; the residual is that of the result.
     Solution solve(const XYZ& color) const override;
+    void solveMany(std::span<const XYZ> colors, std::span<Solution> solutions) const override;
 
     const Vote& vote() const { return vote_; }
 
   private:
+    void move(const XYZ& color, Solution& solution) const;
+
     Observer observer_;
     std::shared_ptr<const Solver> base_;
     Vote vote_;
