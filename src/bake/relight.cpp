@@ -1,14 +1,11 @@
+#include "lit_bands.h"
 #include "pipeline.h"
 
 #include <specbake/bake/relight.h>
-#include <specbake/core/adaptation.h>
-#include <specbake/core/observer.h>
 #include <specbake/image/preview_writer.h>
 #include <specbake/image/spectral_reader.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <vector>
 
 namespace specbake {
@@ -17,30 +14,11 @@ using namespace internal;
 
 namespace {
 
-/// What each band gives to linear Rec.709 R, G, B at reflectance 1: the weights w_m of (1) under
-/// the light, adapted if asked for, scaled as relight.h says.
-using BandColors = std::array<Imath::V3f, kBandCount>;
-
-BandColors bandColors(const RelightOptions& options) {
-    const Observer lit(options.illuminant);
-    const XYZ daylight = Observer("D65").white();
-    const Imath::M33d shown = xyzFromRGB(*findColorSpace("lin_rec709"), daylight).inverse();
-    const Imath::M33d rgbFromXYZ =
-        options.adapt ? adaptation(lit.white(), daylight) * shown : shown;
-    const Imath::V3d white = lit.white() * rgbFromXYZ;
-    const double gain = std::exp2(options.exposure) / std::max({white.x, white.y, white.z});
-    BandColors colors;
-    for (std::size_t m = 0; m < colors.size(); ++m) {
-        colors[m] = Imath::V3f(lit.weights()[m] * rgbFromXYZ * gain);
-    }
-    return colors;
-}
-
 class Relighting {
   public:
     Relighting(const std::string& spectral, const std::filesystem::path& picture,
                const RelightOptions& options)
-        : colors_(bandColors(options)), reader_(spectral), writer_(picture, reader_.header()) {}
+        : colors_(litBands(options)), reader_(spectral), writer_(picture, reader_.header()) {}
 
     void run(const RelightOptions& options) {
         bands_.resize(std::size_t((height() + kRows - 1) / kRows));
@@ -96,7 +74,7 @@ class Relighting {
         band = {};
     }
 
-    BandColors colors_;
+    LitBands colors_;
     SpectralReader reader_;
     PreviewWriter writer_;
     std::vector<Band> bands_;

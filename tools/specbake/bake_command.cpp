@@ -5,10 +5,12 @@
 #include "thread_pool.h"
 
 #include <specbake/bake/bake.h>
+#include <specbake/bake/report.h>
 #include <specbake/core/error.h>
 #include <specbake/image/output_file.h>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -35,6 +37,7 @@ struct Arguments {
     std::vector<int> tile;  ///< none, or width and height
     BakeOptions options;    ///< all else
     std::string statsFile;
+    std::string reportFile;
     bool update = false;
     bool verbose = false;
     bool quiet = false;
@@ -117,6 +120,21 @@ void report(const BakeStatistics& s, const Arguments& a) {
     }
 }
 
+/// The page about the file as it was written: it is read back and compared.
+void writePage(const BakeStatistics& s, const Arguments& a) {
+    ReportOptions page;
+    page.verify.read = a.read.options();
+    page.verify.space = unlessAuto(a.space);
+    page.verify.threads = a.options.threads;
+    page.facts = {{"texels", std::to_string(s.texels)},
+                  {"texels outside the solid", std::to_string(s.outsideTexels)},
+                  {"furthest moved, CIEDE2000", fmt::format("{:.3g}", s.largestMove)},
+                  {"texels solved one by one", std::to_string(s.directTexels)},
+                  {"nodes solved", std::to_string(s.nodesSolved)},
+                  {"seconds", fmt::format("{:.2f}", s.seconds)}};
+    writeReport(a.output, a.input, a.reportFile, page);
+}
+
 void checkOutput(const Arguments& a) {
     std::error_code missing;
     if (fs::equivalent(a.input, a.output, missing)) {
@@ -142,6 +160,7 @@ ExitCode bakeCommand(const Arguments& a) {
         ProgressBar bar("baking " + fs::path(a.input).filename().string(), !a.quiet);
         const BakeStatistics s = bake(a.input, a.output, optionsOf(a, signals.token(), bar));
         if (!a.statsFile.empty()) writeStats(s, a);
+        if (!a.reportFile.empty()) writePage(s, a);
         report(s, a);
     } catch (const Cancelled&) {
         signals.passOn();
@@ -203,6 +222,8 @@ Command addBake(CLI::App& program) {
                       "store all mip levels, averages of spectra; tiles of 64 x 64 unless --tile");
     addThreads(*command, a->options.threads);
     command->add_option("--stats", a->statsFile, "write what was done to this JSON file");
+    command->add_option("--report", a->reportFile,
+                        "read the result back, and write a page about it to this HTML file");
     command->add_flag("-u,--update", a->update, "do nothing if the output is newer than the input");
     command->add_flag("-v,--verbose", a->verbose, "say what was done");
     command->add_flag("-q,--quiet", a->quiet, "no progress bar and no remarks");

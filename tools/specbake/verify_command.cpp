@@ -3,6 +3,7 @@
 #include "thread_pool.h"
 
 #include <specbake/bake/compare_spectra.h>
+#include <specbake/bake/report.h>
 #include <specbake/bake/verify.h>
 #include <specbake/core/error.h>
 #include <specbake/image/second_reading.h>
@@ -24,6 +25,7 @@ struct Arguments {
     std::string spectral;
     std::string texture;
     std::string reference;
+    std::string report;
     ReadArguments read;
     VerifyOptions options;
     std::optional<double> maxDE;
@@ -113,6 +115,15 @@ bool confirmReading(const Arguments& a, Json& json) {
     return agree;
 }
 
+Verification verified(const Arguments& a) {
+    VerifyOptions options = a.options;
+    options.read = a.read.options();
+    if (a.report.empty()) return verify(a.spectral, a.texture, options);
+    ReportOptions page;
+    page.verify = options;
+    return writeReport(a.spectral, a.texture, a.report, page);
+}
+
 ExitCode verifyCommand(const Arguments& a) {
     if (a.texture.empty() && a.reference.empty()) {
         throw ArgumentError("verify: a texture, or --spectra REFERENCE, is needed to compare with");
@@ -121,9 +132,7 @@ ExitCode verifyCommand(const Arguments& a) {
     Json json;
     bool passed = true;
     if (!a.texture.empty()) {
-        VerifyOptions options = a.options;
-        options.read = a.read.options();
-        const Verification v = verify(a.spectral, a.texture, options);
+        const Verification v = verified(a);
         show(a, v, "colors", json);
         passed = confirmReading(a, json) && v.passes(a.maxDE);
     }
@@ -149,7 +158,12 @@ Command addVerify(CLI::App& program) {
         "What no colour shows, such as 380 nm, only --spectra does. Exit code 3 if the file does\n"
         "not pass; a number that is not finite never passes.");
     command->add_option("spectral", a->spectral, "spectral image")->required();
-    command->add_option("texture", a->texture, "the texture that it was made from");
+    auto* texture = command->add_option("texture", a->texture, "the texture that it was made from");
+    command
+        ->add_option("--report", a->report,
+                     "write a page about it to this HTML file: the texture under lamps, spectra, "
+                     "differences")
+        ->needs(texture);
     command
         ->add_option("--max-de", a->maxDE,
                      "exit 3 if a texel differs by more (CIEDE2000); without it, by more than the "

@@ -1,5 +1,6 @@
 #include "pipeline.h"
 #include "verify/largest_values.h"
+#include "verify/observed.h"
 #include "verify/stated_model.h"
 #include "verify/texel_comparison.h"
 
@@ -34,8 +35,9 @@ struct Rows {
 class Comparison {
   public:
     Comparison(const std::string& spectral, const std::string& texture,
-               const VerifyOptions& options)
-        : spectral_(spectral),
+               const VerifyOptions& options, const RowsObserver& observer)
+        : observer_(observer),
+          spectral_(spectral),
           texture_(texture, options.read.orAsIn(spectral_)),
           model_(statedSpace(spectral_, texture_.info(), options),
                  statedModel(spectral, spectral_, options)),
@@ -95,7 +97,7 @@ class Comparison {
             const std::span<const float, 3> preview(&rows.preview[t * kPreviewSamples], 3);
             rows.previews.push_back(texel_.comparePreview(preview, bands));
         }
-        rows.bands = {};
+        if (!observer_) rows.bands = {};
         rows.texture = {};
     }
 
@@ -107,6 +109,7 @@ class Comparison {
     /// In order, so that the mean does not depend on the threads.
     void gather(int i) {
         const Rows& rows = rows_[std::size_t(i)];
+        if (observer_) observer_({i * kRows, rowCount(i), rows.bands, rows.texels}, model_);
         for (std::size_t t = 0; t < rows.texels.size(); ++t) {
             const TexelDifference& found = rows.texels[t];
             ++total_.texels;
@@ -137,6 +140,7 @@ class Comparison {
         total_.worstY = texel / width();
     }
 
+    const RowsObserver& observer_;
     SpectralReader spectral_;
     TextureReader texture_;
     Upsampler model_;
@@ -157,9 +161,14 @@ bool Verification::passes(std::optional<double> maxDE) const {
     return sound && beyondRounding == 0 && maxDE2000 <= kUsualLimit;
 }
 
+Verification internal::verifyObserved(const std::string& spectral, const std::string& texture,
+                                      const VerifyOptions& options, const RowsObserver& observer) {
+    return Comparison(spectral, texture, options, observer).run(options.threads);
+}
+
 Verification verify(const std::string& spectral, const std::string& texture,
                     const VerifyOptions& options) {
-    return Comparison(spectral, texture, options).run(options.threads);
+    return verifyObserved(spectral, texture, options, {});
 }
 
 }  // namespace specbake

@@ -1,0 +1,72 @@
+#include "report/page.h"
+#include "report/page_data.h"
+#include "report/sampled_texels.h"
+#include "verify/observed.h"
+
+#include <specbake/bake/report.h>
+#include <specbake/core/error.h>
+#include <specbake/image/output_file.h>
+#include <specbake/image/spectral_reader.h>
+
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+namespace specbake {
+
+using namespace internal;
+
+namespace {
+
+std::string fileName(const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+}
+
+/// The page with `text` in the place {{name}}.
+void fill(std::string& page, std::string_view name, std::string_view text) {
+    const std::string place = "{{" + std::string(name) + "}}";
+    page.replace(page.find(place), place.size(), text);
+}
+
+/// The data are filled in last: whatever stands in them is no place.
+std::string pageOf(const PageContent& content) {
+    std::string page(kPageFrame);
+    fill(page, "style", kPageStyle);
+    fill(page, "script", kPageScript);
+    fill(page, "data", pageData(content));
+    return page;
+}
+
+void writeText(const std::filesystem::path& path, const std::string& text) {
+    OutputFile file(path);
+    std::ofstream out(file.temporaryPath(), std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) throw FileError(path.string(), "cannot be written");
+    file.commit();
+}
+
+}  // namespace
+
+Verification writeReport(const std::string& spectral, const std::string& texture,
+                         const std::filesystem::path& page, const ReportOptions& options) {
+    if (options.side < 1 || options.side > ReportOptions::kLargestSide) {
+        throw ArgumentError("a report's pictures have 1 to 1024 texels along a side");
+    }
+    const SpectralReader reader(spectral);
+    const Window window = reader.header().data;
+    SampledTexels texels(Blocks(window.width, window.height, options.side));
+    std::optional<ReportColors> colors;
+    const Verification verified = verifyObserved(
+        spectral, texture, options.verify, [&](const ComparedRows& rows, const Upsampler& model) {
+            if (!colors) colors.emplace(model);
+            texels.take(rows);
+        });
+    PageContent content{fileName(spectral), fileName(texture), window, texels, *colors,
+                        verified,           options.facts};
+    for (const auto& attribute : reader.facts().attributes) content.facts.push_back(attribute);
+    writeText(page, pageOf(content));
+    return verified;
+}
+
+}  // namespace specbake
