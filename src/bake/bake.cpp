@@ -1,6 +1,7 @@
 #include "attributes.h"
 #include "baking.h"
 #include "choose/tolerances.h"
+#include "chosen_space.h"
 #include "watched_texture.h"
 
 #include <specbake/bake/bake.h>
@@ -20,13 +21,6 @@ const BakeOptions& checked(const BakeOptions& options) {
     std::string reason;
     if (!options.isValid(&reason)) throw ArgumentError(reason);
     return options;
-}
-
-ColorSpace chosenSpace(const TextureInfo& info, const BakeOptions& options) {
-    if (!options.space) return info.automaticSpace;
-    const ColorSpace* space = findColorSpace(*options.space);
-    if (space == nullptr) throw ArgumentError("unknown colour space '" + *options.space + "'");
-    return *space;
 }
 
 /// A texture, its model, and the precision of its samples: what the options leave to the texture is

@@ -16,14 +16,13 @@ struct Neighbor {
 };
 
 std::vector<Neighbor> neighborsByArea(std::span<const TexelRow* const> rows,
-                                      const BoxTaps& vertical, int width) {
+                                      const BoxTaps& vertical, int width, const Stretch& smaller) {
     std::vector<Neighbor> neighbors;
-    const int smaller = halvedSide(width);
     for (std::size_t r = 0; r < rows.size(); ++r) {
         for (int k = 0; k < boxTaps(width, 0).count; ++k) {
             Neighbor neighbor{rows[r], std::size_t(k), {}};
-            for (int i = 0; i < smaller; ++i) {
-                const double across = boxTaps(width, i).share[std::size_t(k)];
+            for (int i = 0; i < smaller.count; ++i) {
+                const double across = boxTaps(width, smaller.first + i).share[std::size_t(k)];
                 neighbor.share.push_back(vertical.share[r] * across);
             }
             neighbors.push_back(std::move(neighbor));
@@ -74,17 +73,29 @@ BoxTaps boxTaps(int side, int i) {
     return {2 * i, 3, {(m - i) / n, m / n, (i + 1) / n}};
 }
 
+Stretch sourceStretch(int width, const Stretch& smaller) {
+    const BoxTaps first = boxTaps(width, smaller.first);
+    const BoxTaps last = boxTaps(width, smaller.first + smaller.count - 1);
+    return {first.first, last.first + last.count - first.first};
+}
+
 TexelRow averageRows(std::span<const TexelRow* const> rows, const BoxTaps& vertical, int width,
                      bool alpha) {
-    const std::size_t channels = rows.front()->size() / std::size_t(width);
-    const auto smaller = std::size_t(halvedSide(width));
-    const std::vector<Neighbor> byArea = neighborsByArea(rows, vertical, width);
+    return averageRows(rows, vertical, width, alpha, {0, halvedSide(width)});
+}
+
+TexelRow averageRows(std::span<const TexelRow* const> rows, const BoxTaps& vertical, int width,
+                     bool alpha, const Stretch& smaller) {
+    const auto source = std::size_t(sourceStretch(width, smaller).count);
+    const std::size_t channels = rows.front()->size() / source;
+    const auto count = std::size_t(smaller.count);
+    const std::vector<Neighbor> byArea = neighborsByArea(rows, vertical, width, smaller);
     const std::vector<Neighbor> seen = alpha ? weighedByAlpha(byArea) : byArea;
     std::vector<double> sums;
-    TexelRow averages(channels * smaller);
+    TexelRow averages(channels * count);
     for (std::size_t c = 0; c < channels; ++c) {
-        averageChannel(alpha && c == 0 ? byArea : seen, c * std::size_t(width), sums,
-                       std::span(averages).subspan(c * smaller, smaller));
+        averageChannel(alpha && c == 0 ? byArea : seen, c * source, sums,
+                       std::span(averages).subspan(c * count, count));
     }
     return averages;
 }

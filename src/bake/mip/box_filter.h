@@ -37,4 +37,18 @@ using TexelRow = std::vector<float>;
 TexelRow averageRows(std::span<const TexelRow* const> rows, const BoxTaps& vertical, int width,
                      bool alpha);
 
+/// Texels of a row that follow each other.
+struct Stretch {
+    int first = 0;
+    int count = 0;
+};
+
+/// What a stretch of a smaller row is made of, in rows of `width` texels.
+Stretch sourceStretch(int width, const Stretch& smaller);
+
+/// The same for a stretch of the smaller row: `rows` hold its source stretch alone, and the result
+/// has the bits that it has in the whole row.
+TexelRow averageRows(std::span<const TexelRow* const> rows, const BoxTaps& vertical, int width,
+                     bool alpha, const Stretch& smaller);
+
 }  // namespace specbake::internal

@@ -1,0 +1,171 @@
+#include "spectral_input.h"
+
+#include "level_specs.h"
+#include "recipe.h"
+
+#include <specbake/image/texture_reader.h>
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <span>
+
+namespace specbake::openimageio {
+namespace {
+
+constexpr const char* kHints = "spectral:";
+
+void applyHints(Recipe& recipe, const OIIO::ImageSpec& config) {
+    forEachOption([&](std::string_view name) {
+        const auto* hint = config.find_attribute(kHints + std::string(name));
+        if (hint != nullptr && name != "source") setOption(recipe, name, hint->get_string());
+    });
+}
+
+/// A tile's rows to where they belong in a larger region.
+void copyRows(std::span<const std::byte> from, const Window& tile, const Window& region,
+              std::size_t pixelBytes, std::byte* to) {
+    const std::size_t rowBytes = std::size_t(tile.width) * pixelBytes;
+    for (int y = 0; y < tile.height; ++y) {
+        const std::size_t pixel = std::size_t(tile.y + y - region.y) * std::size_t(region.width) +
+                                  std::size_t(tile.x - region.x);
+        std::memcpy(to + pixel * pixelBytes, from.data() + std::size_t(y) * rowBytes, rowBytes);
+    }
+}
+
+}  // namespace
+
+int SpectralInput::supports(OIIO::string_view feature) const {
+    return feature == "arbitrary_metadata" || feature == "mipmap" ? 1 : 0;
+}
+
+bool SpectralInput::valid_file(const std::string& name) const {
+    try {
+        return !recipeOf(name).source.empty();
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+bool SpectralInput::open(const std::string& name, OIIO::ImageSpec& spec) {
+    return open(name, spec, OIIO::ImageSpec());
+}
+
+bool SpectralInput::open(const std::string& name, OIIO::ImageSpec& spec,
+                         const OIIO::ImageSpec& config) {
+    close();
+    try {
+        Recipe recipe = recipeOf(name);
+        applyHints(recipe, config);
+        if (!recipe.options.storage.isTiled()) recipe.options.storage.tile = TileSize{};
+        image_ = std::make_unique<const BakedImage>(
+            std::make_unique<TextureReader>(recipe.source, recipe.options.read), recipe.options);
+        specs_ = levelSpecs(*image_, recipe.options.storage.mipmap);
+        channels_ = readersOrder(image_->header().alpha);
+    } catch (const std::exception& error) {
+        close();
+        errorfmt("{}", error.what());
+        return false;
+    }
+    m_spec = specs_.front();
+    spec = m_spec;
+    return true;
+}
+
+bool SpectralInput::close() {
+    image_.reset();
+    specs_.clear();
+    channels_.clear();
+    level_ = 0;
+    m_spec = OIIO::ImageSpec();
+    return true;
+}
+
+bool SpectralInput::exists(int subimage, int miplevel) const {
+    return subimage == 0 && miplevel >= 0 && miplevel < int(specs_.size());
+}
+
+bool SpectralInput::seek_subimage(int subimage, int miplevel) {
+    if (!exists(subimage, miplevel)) return false;
+    if (miplevel == level_) return true;
+    level_ = miplevel;
+    m_spec = specs_[std::size_t(miplevel)];
+    return true;
+}
+
+OIIO::ImageSpec SpectralInput::spec(int subimage, int miplevel) {
+    return exists(subimage, miplevel) ? specs_[std::size_t(miplevel)] : OIIO::ImageSpec();
+}
+
+OIIO::ImageSpec SpectralInput::spec_dimensions(int subimage, int miplevel) {
+    OIIO::ImageSpec dimensions;
+    if (exists(subimage, miplevel)) dimensions.copy_dimensions(specs_[std::size_t(miplevel)]);
+    return dimensions;
+}
+
+bool SpectralInput::read_native_scanline(int /*subimage*/, int /*miplevel*/, int /*y*/, int /*z*/,
+                                         void* /*data*/) {
+    errorfmt("a spectral image is read by tiles");
+    return false;
+}
+
+bool SpectralInput::read_native_tile(int subimage, int miplevel, int x, int y, int z, void* data) {
+    if (!exists(subimage, miplevel)) return false;
+    const OIIO::ImageSpec& level = specs_[std::size_t(miplevel)];
+    return read_native_tiles(subimage, miplevel, x, x + level.tile_width, y, y + level.tile_height,
+                             z, z + 1, 0, level.nchannels, data);
+}
+
+bool SpectralInput::read_native_tiles(int subimage, int miplevel, int xbegin, int xend, int ybegin,
+                                      int yend, int zbegin, int zend, void* data) {
+    return read_native_tiles(subimage, miplevel, xbegin, xend, ybegin, yend, zbegin, zend, 0,
+                             int(channels_.size()), data);
+}
+
+bool SpectralInput::read_native_tiles(int subimage, int miplevel, int xbegin, int xend, int ybegin,
+                                      int yend, int /*zbegin*/, int /*zend*/, int chbegin,
+                                      int chend, void* data) {
+    if (!exists(subimage, miplevel)) return false;
+    const OIIO::ImageSpec& level = specs_[std::size_t(miplevel)];
+    chend = std::clamp(chend, 0, level.nchannels);
+    if (chbegin < 0 || chbegin >= chend || xbegin < level.x || ybegin < level.y || xend <= xbegin ||
+        yend <= ybegin) {
+        errorfmt("no such pixels or channels");
+        return false;
+    }
+    try {
+        readRegion(
+            miplevel,
+            {{xbegin - level.x, ybegin - level.y, xend - xbegin, yend - ybegin}, chbegin, chend},
+            static_cast<std::byte*>(data));
+    } catch (const std::exception& error) {
+        errorfmt("{}", error.what());
+        return false;
+    }
+    return true;
+}
+
+/// Tile by tile; what lies beyond the image's edges becomes 0.
+void SpectralInput::readRegion(int miplevel, const Region& region, std::byte* data) const {
+    const ChunkGrid& level = image_->levels()[std::size_t(miplevel)];
+    const auto channels = std::span(channels_).subspan(
+        std::size_t(region.firstChannel), std::size_t(region.endChannel - region.firstChannel));
+    const std::size_t pixelBytes = channels.size() * bytesPerSample(image_->sampleType());
+    const Window& at = region.at;
+    std::memset(data, 0, pixelBytes * std::size_t(at.width) * std::size_t(at.height));
+    const int right = std::min(at.x + at.width, level.width);
+    const int lower = std::min(at.y + at.height, level.height);
+    std::vector<std::byte> samples;
+    for (int y = at.y; y < lower; y += level.chunkHeight) {
+        for (int x = at.x; x < right; x += level.chunkWidth) {
+            const int chunk =
+                level.firstChunk + y / level.chunkHeight * level.across() + x / level.chunkWidth;
+            const Window tile = level.texels(chunk);
+            samples.resize(pixelBytes * std::size_t(tile.width) * std::size_t(tile.height));
+            image_->readChunk(chunk, channels, samples);
+            copyRows(samples, tile, at, pixelBytes, data);
+        }
+    }
+}
+
+}  // namespace specbake::openimageio
