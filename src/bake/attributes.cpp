@@ -12,6 +12,8 @@ Attributes bakedAttributes(const Attributes& texture, const Upsampler& upsampler
     all["Software"] = std::string("specbake ") + kVersion;
     all["specbake:version"] = kVersion;
     all["specbake:method"] = model.method;
+    if (model.material) all["specbake:material"] = *model.material;
+    if (!model.samples.empty()) all["specbake:samples"] = upsampler.samplesIdentity();
     all["specbake:grid"] = model.grid.value_or(0);
     if (bits) all["specbake:bits"] = *bits;
     all["specbake:illuminant"] = upsampler.observer().illuminant();
@@ -19,6 +21,14 @@ Attributes bakedAttributes(const Attributes& texture, const Upsampler& upsampler
     all["specbake:colorspace"] = upsampler.space().name;
     all["specbake:outside"] = std::string(outsideName(model.outside));
     return all;
+}
+
+void addMaterials(Attributes& attributes, const std::vector<std::string>& materials,
+                  const std::filesystem::path& map) {
+    std::string names;
+    for (const std::string& material : materials) names += (names.empty() ? "" : ",") + material;
+    attributes["specbake:material"] = names;
+    attributes["specbake:materialMap"] = map.filename().string();
 }
 
 }  // namespace specbake::internal

@@ -3,7 +3,10 @@
 #include <specbake/core/upsampler.h>
 #include <specbake/image/image_types.h>
 
+#include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace specbake::internal {
 
@@ -11,5 +14,9 @@ namespace specbake::internal {
 /// `bits`: of the mantissa of half samples; none for floats.
 Attributes bakedAttributes(const Attributes& texture, const Upsampler& upsampler,
                            std::optional<int> bits);
+
+/// The materials of a map, and its file's name.
+void addMaterials(Attributes& attributes, const std::vector<std::string>& materials,
+                  const std::filesystem::path& map);
 
 }  // namespace specbake::internal

@@ -2,6 +2,7 @@
 #include "baking.h"
 #include "choose/tolerances.h"
 #include "chosen_space.h"
+#include "material/material_map.h"
 #include "watched_texture.h"
 
 #include <specbake/bake/bake.h>
@@ -9,7 +10,10 @@
 #include <specbake/image/spectral_writer.h>
 
 #include <chrono>
+#include <iterator>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace specbake {
 
@@ -34,19 +38,27 @@ class Job {
           watched_(texture),
           source_{watched_, decoder_, options.threads, options.stop},
           upsampler_(space_, decidedModel()),
-          bits_(decidedBits()) {}
+          bits_(decidedBits()) {
+        if (!options_.materialMap) return;
+        mapImage_.emplace(options_.materialMap->string());
+        map_.emplace(*mapImage_, texture.info(), space_, upsampler_.options(),
+                     options_.mappedMaterials);
+    }
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
 
     SpectralHeader header() const {
         const TextureInfo& info = source_.info();
+        Attributes attributes = bakedAttributes(info.attributes, upsampler_,
+                                                half() ? std::optional(bits_) : std::nullopt);
+        if (map_) addMaterials(attributes, options_.mappedMaterials, *options_.materialMap);
         return {info.data, info.display, info.pixelAspectRatio, info.alpha.has_value(),
-                bakedAttributes(info.attributes, upsampler_,
-                                half() ? std::optional(bits_) : std::nullopt)};
+                std::move(attributes)};
     }
 
     BakeStatistics run(SpectralSink& sink) {
-        const ColorCensus census = Baking(source_, upsampler_, sink, bits_).run(options_.progress);
+        Baking baking(source_, upsampler_, map_ ? &*map_ : nullptr, sink, bits_);
+        const ColorCensus census = baking.run(options_.progress);
         const TextureInfo& info = source_.info();
         statistics_.space = upsampler_.space().name;
         statistics_.illuminant = upsampler_.observer().illuminant();
@@ -62,6 +74,7 @@ class Job {
             statistics_.notes.emplace_back(
                 "its texels are unit vectors around (0.5, 0.5, 1): normals, it seems, no colours");
         }
+        std::ranges::copy(upsampler_.notes(), std::back_inserter(statistics_.notes));
         return statistics_;
     }
 
@@ -95,6 +108,8 @@ class Job {
     TexelSource source_;
     Upsampler upsampler_;
     int bits_;
+    std::optional<TextureReader> mapImage_;
+    std::optional<MaterialMap> map_;
 };
 
 /// How long `work` takes stands in the statistics that it returns.

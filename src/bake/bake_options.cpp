@@ -9,9 +9,30 @@ bool isPositive(const std::optional<double>& limit) {
     return !limit || (std::isfinite(*limit) && *limit > 0);
 }
 
+std::string problemOfMap(const BakeOptions& options) {
+    const std::vector<std::string>& materials = options.mappedMaterials;
+    if (options.materialMap.has_value() != !materials.empty()) {
+        return "a map of materials needs the materials, and these a map";
+    }
+    if (materials.size() > BakeOptions::kMostMapped) {
+        return "a map has at most " + std::to_string(BakeOptions::kMostMapped) + " materials";
+    }
+    if (options.materialMap && options.model.material) {
+        return "a map of materials leaves none to the model";
+    }
+    UpsamplerOptions model = options.model;
+    std::string problem;
+    for (const std::string& material : materials) {
+        model.material = material;
+        if (!model.isValid(&problem)) return problem;
+    }
+    return {};
+}
+
 /// What is wrong; empty if nothing is.
 std::string problemOf(const BakeOptions& options) {
-    std::string problem;
+    std::string problem = problemOfMap(options);
+    if (!problem.empty()) return problem;
     if (!options.read.isValid(&problem)) return problem;
     if (!options.model.isValid(&problem)) return problem;
     if (options.bits < BakeOptions::kFewestMantissaBits ||

@@ -8,10 +8,40 @@
 #include <utility>
 
 namespace specbake::internal {
+namespace {
 
-Baking::Baking(const TexelSource& source, const Upsampler& upsampler, SpectralSink& sink, int bits)
+/// The rows of a band and those ahead of it; of these, what is kept for the next band is in
+/// `ahead`.
+std::vector<std::byte> rowsOf(Texture& texture, const Band& band, std::vector<std::byte>& ahead) {
+    const std::size_t rowBytes = texture.info().bytesPerRow();
+    std::vector<std::byte> stored = std::exchange(ahead, {});
+    const std::size_t there = stored.size();
+    const int first = int(there / rowBytes);
+    const int rows = band.rows + band.rowsAhead;
+    stored.resize(rowBytes * std::size_t(rows));
+    if (first < rows) {
+        texture.readRows(band.firstRow + first, rows - first, std::span(stored).subspan(there));
+    }
+    ahead.assign(stored.end() - std::ptrdiff_t(rowBytes) * band.rowsAhead, stored.end());
+    return stored;
+}
+
+/// The texels of a run, of an image whose rows from the band's first on are in `stored`.
+std::span<const std::byte> texelsOf(const Window& run, const Band& band, const TextureInfo& info,
+                                    const std::vector<std::byte>& stored) {
+    const std::size_t texelBytes = info.bytesPerRow() / std::size_t(info.data.width);
+    const std::size_t offset =
+        info.bytesPerRow() * std::size_t(run.y - band.firstRow) + texelBytes * std::size_t(run.x);
+    return std::span(stored).subspan(offset, texelBytes * std::size_t(run.width));
+}
+
+}  // namespace
+
+Baking::Baking(const TexelSource& source, const Upsampler& upsampler, const MaterialMap* map,
+               SpectralSink& sink, int bits)
     : source_(source),
       upsampler_(upsampler),
+      map_(map),
       sink_(sink),
       bits_(bits),
       pyramid_(std::span(sink.levels()).subspan(1), sink.alpha()),
@@ -61,18 +91,8 @@ std::vector<Band> Baking::bandsOf() const {
 }
 
 void Baking::readBand(Band& band) {
-    const std::size_t rowBytes = source_.info().bytesPerRow();
-    band.stored = std::exchange(readAhead_, {});
-    const std::size_t there = band.stored.size();
-    const int first = int(there / rowBytes);
-    const int rows = band.rows + band.rowsAhead;
-    band.stored.resize(rowBytes * std::size_t(rows));
-    if (first < rows) {
-        source_.texture.readRows(band.firstRow + first, rows - first,
-                                 std::span(band.stored).subspan(there));
-    }
-    const auto ahead = std::ptrdiff_t(rowBytes) * band.rowsAhead;
-    readAhead_.assign(band.stored.end() - ahead, band.stored.end());
+    band.stored = rowsOf(source_.texture, band, readAhead_);
+    if (map_ != nullptr) band.materials = rowsOf(map_->image(), band, mappedAhead_);
 }
 
 void Baking::processBand(Band& band) {
@@ -94,6 +114,7 @@ void Baking::processBand(Band& band) {
     }
     if (hasLevels() && band.census.withoutSpectrum() == 0) reduceBand(band);
     band.stored = {};
+    band.materials = {};
 }
 
 /// The rows of the level below whose first tap is in the band.
@@ -129,24 +150,33 @@ void Baking::bakeRun(const Band& band, const Window& run, SampleType type, Buffe
     const auto count = std::size_t(run.width);
     buffers.colors.resize(count);
     buffers.alpha.resize(info.alpha ? count : 0);
-    const std::size_t texelBytes = info.bytesPerRow() / std::size_t(info.data.width);
-    const std::size_t offset =
-        info.bytesPerRow() * std::size_t(run.y - band.firstRow) + texelBytes * std::size_t(run.x);
-    source_.decoder.decode(std::span(band.stored).subspan(offset, texelBytes * count), count,
-                           buffers.colors.data(), buffers.alpha.data());
+    source_.decoder.decode(texelsOf(run, band, info, band.stored), count, buffers.colors.data(),
+                           buffers.alpha.data());
     const std::size_t plane = samples.size() / std::size_t(sink_.channelCount());
     if (info.alpha) storeSamples(buffers.alpha, type, samples.data());
     const auto colorPlanes = samples.subspan(info.alpha ? plane : 0);
     const auto first = std::size_t(run.y) * std::size_t(info.data.width) + std::size_t(run.x);
-    const bool fewer = type == SampleType::half && bits_ < BakeOptions::kMostMantissaBits;
-    buffers.unrounded.resize(fewer ? kTexelSamples * count : 0);
+    const bool later = map_ != nullptr || isShort(type);  // stored from floats
+    buffers.unrounded.resize(later ? kTexelSamples * count : 0);
     const auto target =
-        fewer ? SampleTarget::planar(SampleType::float32,
+        later ? SampleTarget::planar(SampleType::float32,
                                      std::as_writable_bytes(std::span(buffers.unrounded)).data(),
                                      count * sizeof(float))
               : SampleTarget::planar(type, colorPlanes.data(), plane);
     census.add(upsampler_.sample(buffers.colors, channels_, target, buffers.upsampling), first);
-    if (fewer) storeRounded(buffers.unrounded, bits_, colorPlanes.data());
+    if (map_ != nullptr) {
+        map_->mix(buffers.colors, texelsOf(run, band, map_->image().info(), band.materials),
+                  buffers.unrounded, buffers.mixing);
+    }
+    if (later) store(buffers.unrounded, type, colorPlanes.data());
+}
+
+void Baking::store(std::span<const float> samples, SampleType type, std::byte* to) const {
+    if (isShort(type)) {
+        storeRounded(samples, bits_, to);
+    } else {
+        storeSamples(samples, type, to);
+    }
 }
 
 void Baking::writeBand(Band& band) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "band.h"
+#include "material/material_map.h"
 #include "mip/level_tiles.h"
 #include "texel_source.h"
 
+#include <specbake/bake/bake.h>
 #include <specbake/core/upsampler.h>
 #include <specbake/image/spectral_sink.h>
 
@@ -19,8 +21,10 @@ namespace specbake::internal {
 /// One texture on its way to a sink: what the three stages of the pipeline share.
 class Baking {
   public:
-    /// `bits`: of the mantissa of half samples. All that it is given must outlive it.
-    Baking(const TexelSource& source, const Upsampler& upsampler, SpectralSink& sink, int bits);
+    /// `map`: of materials, or null. `bits`: of the mantissa of half samples. All that it is given
+    /// must outlive it.
+    Baking(const TexelSource& source, const Upsampler& upsampler, const MaterialMap* map,
+           SpectralSink& sink, int bits);
 
     /// All rows, read, solved, packed and written. Throws FileError for texels that have no
     /// spectrum, naming the first, and Cancelled.
@@ -33,24 +37,32 @@ class Baking {
     void reduceBand(Band& band);
     void writeBand(Band& band);
     bool hasLevels() const { return sink_.levels().size() > 1; }
+    /// Halves of fewer bits than they have.
+    bool isShort(SampleType type) const {
+        return type == SampleType::half && bits_ < BakeOptions::kMostMantissaBits;
+    }
     /// What a thread keeps from band to band.
     struct Buffers {
         std::vector<std::array<float, 3>> colors;
         std::vector<float> alpha;
-        std::vector<float> unrounded;  ///< samples, where they get fewer bits than a half has
+        std::vector<float> unrounded;  ///< samples, where they are mixed or get fewer bits
         Upsampler::Workspace upsampling;
+        MaterialMap::Buffers mixing;
     };
     /// Samples of some neighbours in one row, plane by plane.
     void bakeRun(const Band& band, const Window& run, SampleType type, Buffers& buffers,
                  std::span<std::byte> samples, ColorCensus& census);
+    void store(std::span<const float> samples, SampleType type, std::byte* to) const;
     TexelRow unroundedRow(const Band& band, int row);
 
     const TexelSource& source_;
     const Upsampler& upsampler_;
+    const MaterialMap* map_;
     SpectralSink& sink_;
     int bits_;
     SampleSelection channels_ = SampleSelection::channels();
-    std::vector<std::byte> readAhead_;  ///< of the texture
+    std::vector<std::byte> readAhead_;    ///< of the texture
+    std::vector<std::byte> mappedAhead_;  ///< of the map of materials
     Pyramid pyramid_;
     LevelTiles levelTiles_;
     ColorCensus census_;

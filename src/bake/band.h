@@ -16,6 +16,7 @@ struct Band {
     int firstChunk = 0;
     int rowsAhead = 0;                           ///< of the next band, that `smaller` needs
     std::vector<std::byte> stored;               ///< as the texture holds them
+    std::vector<std::byte> materials;            ///< the same rows of the map of materials, if any
     std::vector<std::vector<std::byte>> packed;  ///< chunk by chunk, as the file will
     std::vector<TexelRow> smaller;               ///< rows of the level below, if there is one
     ColorCensus census;

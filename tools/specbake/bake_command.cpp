@@ -30,6 +30,7 @@ struct Arguments {
     ReadArguments read;
     std::string space = "auto";
     ModelArguments model;
+    std::string materialMap;  ///< an image, "" for none
     int grid = kDefaultGridNodes;
     bool perTexel = false;
     std::string sampleType{sampleTypeName(StorageOptions().sampleType)};
@@ -43,11 +44,25 @@ struct Arguments {
     bool quiet = false;
 };
 
-BakeOptions optionsOf(const Arguments& a, const std::stop_token& stop, ProgressBar& bar) {
+/// With a map, the materials are the map's.
+UpsamplerOptions modelOf(const Arguments& a, BakeOptions& options,
+                         std::vector<std::string>& notes) {
+    ModelArguments model = a.model;
+    if (!a.materialMap.empty()) {
+        options.materialMap = a.materialMap;
+        options.mappedMaterials = model.materials();
+        model.material.clear();
+    }
+    return model.options(notes);
+}
+
+/// `notes`: what there is to tell of the files that options name.
+BakeOptions optionsOf(const Arguments& a, const std::stop_token& stop, ProgressBar& bar,
+                      std::vector<std::string>& notes) {
     BakeOptions options = a.options;
     options.read = a.read.options();
     options.space = unlessAuto(a.space);
-    options.model = a.model.options();
+    options.model = modelOf(a, options, notes);
     options.model.grid = a.perTexel ? std::nullopt : std::optional(a.grid);
     options.storage.sampleType = parseSampleType(a.sampleType);
     parseCompression(a.compression, options.storage);
@@ -136,9 +151,11 @@ void writePage(const BakeStatistics& s, const Arguments& a) {
 }
 
 void checkOutput(const Arguments& a) {
-    std::error_code missing;
-    if (fs::equivalent(a.input, a.output, missing)) {
-        throw ArgumentError(a.output + ": the output is the input");
+    for (const std::string& input : {a.input, a.materialMap, a.model.samples}) {
+        std::error_code missing;
+        if (!input.empty() && fs::equivalent(input, a.output, missing)) {
+            throw ArgumentError(a.output + ": the output is the input");
+        }
     }
     std::string extension = fs::path(a.output).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -158,7 +175,9 @@ ExitCode bakeCommand(const Arguments& a) {
     StopSignals signals;
     try {
         ProgressBar bar("baking " + fs::path(a.input).filename().string(), !a.quiet);
-        const BakeStatistics s = bake(a.input, a.output, optionsOf(a, signals.token(), bar));
+        std::vector<std::string> notes;
+        BakeStatistics s = bake(a.input, a.output, optionsOf(a, signals.token(), bar, notes));
+        s.notes.insert(s.notes.end(), notes.begin(), notes.end());
         if (!a.statsFile.empty()) writeStats(s, a);
         if (!a.reportFile.empty()) writePage(s, a);
         report(s, a);
@@ -181,6 +200,12 @@ Command addBake(CLI::App& program) {
         ->check(CLI::IsMember(spaceChoices()))
         ->capture_default_str();
     addModelOptions(*command, a->model, "the space's white, E for xyz");
+    command
+        ->add_option("--material-map", a->materialMap,
+                     "an image of the texture's size: its channels are how much of each --material "
+                     "(up to three, with commas, in the order of the channels) a texel is, from 0 "
+                     "to 1")
+        ->needs("--material");
     command->add_flag("--per-texel", a->perTexel,
                       "solve every distinct colour by itself, without the grid");
     command->add_option("--grid", a->grid, "nodes of the lookup grid along each axis")

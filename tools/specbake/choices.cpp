@@ -3,9 +3,13 @@
 #include <specbake/core/error.h>
 #include <specbake/core/methods.h>
 #include <specbake/core/observer.h>
+#include <specbake/image/measured_file.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
+#include <iterator>
+#include <utility>
 
 namespace specbake::tool {
 namespace {
@@ -38,6 +42,14 @@ std::string methodSummaries() {
     return text;
 }
 
+std::string materialWords() {
+    std::string words;
+    for (const std::string_view name : materialNames()) {
+        words += (words.empty() ? "" : "|") + std::string(name);
+    }
+    return words;
+}
+
 std::string compressionWords() {
     std::string words;
     for (const Compression compression : compressions()) {
@@ -60,10 +72,23 @@ std::optional<std::string> unlessAuto(const std::string& name) {
     return name;
 }
 
-UpsamplerOptions ModelArguments::options() const {
+std::vector<std::string> ModelArguments::materials() const {
+    return material.empty() ? std::vector<std::string>{} : CLI::detail::split(material, ',');
+}
+
+UpsamplerOptions ModelArguments::options(std::vector<std::string>& notes) const {
     UpsamplerOptions options;
+    const std::vector<std::string> names = materials();
+    if (names.size() > 1) throw ArgumentError("--material: several need a --material-map");
+    if (!names.empty()) options.material = names.front();
+    if (!samples.empty()) {
+        MeasuredFile file = readMeasuredFile(samples);
+        options.samples = std::move(file.samples);
+        std::ranges::move(file.notes, std::back_inserter(notes));
+    }
+    const bool measured = options.material || !options.samples.empty();
     options.illuminant = unlessAuto(illuminant);
-    options.method = method;
+    options.method = measured && !methodGiven ? "natural" : method;
     options.outside = outsideFromName(outside).value();
     return options;
 }
@@ -76,7 +101,16 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::st
         ->capture_default_str();
     command.add_option("--method", arguments.method, methodSummaries())
         ->check(CLI::IsMember(methodNames()))
+        ->each([&arguments](const std::string&) { arguments.methodGiven = true; })
         ->capture_default_str();
+    command
+        .add_option("--material", arguments.material,
+                    "near the colours of measured samples of it, spectra are those of this "
+                    "material, on top of natural")
+        ->type_name(materialWords());
+    command.add_option("--samples", arguments.samples,
+                       "measured spectra of yours, on top of natural: at their colours spectra are "
+                       "theirs. CSV, a sample or a wavelength a row, or CGATS");
     command
         .add_option("--outside", arguments.outside,
                     "colours that no reflectance has: the nearest one; the brightest of the same "
@@ -84,6 +118,12 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::st
                     "wholly out of reach; or an error")
         ->check(CLI::IsMember(outsideNames()))
         ->capture_default_str();
+}
+
+void printNotes(const std::vector<std::string>& notes, const Upsampler& upsampler) {
+    for (const auto* list : {&notes, &upsampler.notes()}) {
+        for (const std::string& note : *list) std::fprintf(stderr, "specbake: %s\n", note.c_str());
+    }
 }
 
 ReadOptions ReadArguments::options() const {

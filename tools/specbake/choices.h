@@ -1,6 +1,6 @@
 #pragma once
 
-#include <specbake/core/upsampler_options.h>
+#include <specbake/core/upsampler.h>
 #include <specbake/image/spectral_layout.h>
 #include <specbake/image/texture_reader.h>
 
@@ -23,14 +23,24 @@ std::optional<std::string> unlessAuto(const std::string& name);
 struct ModelArguments {
     std::string illuminant = "auto";
     std::string method = UpsamplerOptions().method;
+    bool methodGiven = false;
+    std::string material;  ///< "" for none; several with commas
+    std::string samples;   ///< a file, "" for none
     std::string outside{outsideName(UpsamplerOptions().outside)};
 
-    /// The options with all else as it is by default.
-    UpsamplerOptions options() const;
+    /// The options with all else as it is by default: a material and samples stand on the method
+    /// `natural`, unless another is given. Reads the samples; what there is to tell of their file
+    /// is added to `notes`. Throws FileError, and ArgumentError for several materials.
+    UpsamplerOptions options(std::vector<std::string>& notes) const;
+    std::vector<std::string> materials() const;
 };
 
-/// `--illuminant`, `--method`, `--outside`. `white`: what "auto" means for the light.
+/// `--illuminant`, `--method`, `--material`, `--samples`, `--outside`. `white`: what "auto" means
+/// for the light.
 void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::string& white);
+
+/// To stderr, a line each: the notes of the options, then those of the model made of them.
+void printNotes(const std::vector<std::string>& notes, const Upsampler& upsampler);
 
 /// What of a texture is read, as words of the command line.
 struct ReadArguments {

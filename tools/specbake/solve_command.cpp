@@ -114,7 +114,9 @@ void printText(const ColorAnswer& answer, const std::string& illuminant) {
 }
 
 ExitCode solveCommand(const Arguments& a) {
-    const Upsampler upsampler(spaceOf(a), a.model.options());
+    std::vector<std::string> notes;
+    const Upsampler upsampler(spaceOf(a), a.model.options(notes));
+    printNotes(notes, upsampler);
     const ColorAnswer answer = solve(a, upsampler);
     if (!answer.solution.solved()) {
         std::fprintf(stderr, "specbake: no spectrum: %s, gauge %.9g\n",

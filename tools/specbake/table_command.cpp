@@ -37,9 +37,12 @@ void print(const char* where, const TableErrors& errors) {
 
 ExitCode tableCommand(const Arguments& a) {
     const ColorSpace& space = *findColorSpace(a.space);
-    UpsamplerOptions options = a.model.options();
+    std::vector<std::string> notes;
+    UpsamplerOptions options = a.model.options(notes);
     options.grid = a.grid;
-    const SpectralTableFile table = spectralTable(Upsampler(space, options));
+    const Upsampler upsampler(space, options);
+    printNotes(notes, upsampler);
+    const SpectralTableFile table = spectralTable(upsampler);
     write(a.output, table.bytes);
     std::printf("%s: %d nodes an axis, %.2f MB\n", a.output.c_str(), a.grid,
                 double(table.bytes.size()) / 1e6);

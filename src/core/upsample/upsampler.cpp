@@ -1,3 +1,4 @@
+#include "solve/samples/with_samples.h"
 #include "upsample/lookup.h"
 
 #include <specbake/core/ciede2000.h>
@@ -32,10 +33,11 @@ LookupSpaces spacesFor(const ColorSpace& space, const XYZ& white) {
     return {xyzFromRGB(space, white), xyzFromRGB(cube, white)};
 }
 
-std::shared_ptr<const Solver> solverFor(const UpsamplerOptions& options, const Observer& observer,
-                                        const Solid& solid) {
+NotedSolver solverFor(const UpsamplerOptions& options, const Observer& observer,
+                      const Solid& solid) {
     const SolverUse use = options.grid ? SolverUse::gridNodes : SolverUse::singleColors;
-    return findMethod(options.method)->makeSolver(observer, solid, use);
+    return withSamples(options, observer,
+                       findMethod(options.method)->makeSolver(observer, solid, use));
 }
 
 /// The shortest decimal that reads back as the same number.
@@ -64,8 +66,9 @@ struct Upsampler::Parts {
           options(itsOptions),
           observer(observerOf(space, options)),
           solid(observer),
-          solver(itsSolver ? std::move(itsSolver) : solverFor(options, observer, solid)),
-          resolver(solid, *solver, options.outside),
+          solver(itsSolver ? NotedSolver{std::move(itsSolver), {}}
+                           : solverFor(options, observer, solid)),
+          resolver(solid, *solver.solver, options.outside),
           spaces(spacesFor(space, observer.white())),
           lookup(options.grid, spaces, resolver) {}
 
@@ -73,7 +76,7 @@ struct Upsampler::Parts {
     UpsamplerOptions options;
     Observer observer;
     Solid solid;
-    std::shared_ptr<const Solver> solver;
+    NotedSolver solver;
     ColorResolver resolver;
     LookupSpaces spaces;
     SpectrumLookup lookup;
@@ -117,9 +120,19 @@ const Solid& Upsampler::solid() const {
 std::string Upsampler::identity() const {
     const UpsamplerOptions& o = parts_->options;
     return std::string("specbake ") + kVersion + "; " + o.method + "; " +
+           (o.material ? "material " + *o.material + "; " : "") +
+           (o.samples.empty() ? "" : samplesIdentity() + "; ") +
            (o.grid ? "grid " + std::to_string(*o.grid) : "each colour by itself") +
            "; outside: " + std::string(outsideName(o.outside)) + "; " + described(parts_->space) +
            "; " + observer().illuminant() + "; " + std::string(observer().name());
+}
+
+std::string Upsampler::samplesIdentity() const {
+    return identityOf(parts_->options.samples);
+}
+
+const std::vector<std::string>& Upsampler::notes() const {
+    return parts_->solver.notes;
 }
 
 XYZ Upsampler::xyz(const RGB& color) const {

@@ -6,6 +6,10 @@
 namespace specbake {
 namespace {
 
+bool isReflectance(const Spectrum& s) {
+    return std::all_of(s.begin(), s.end(), [](double v) { return v >= 0 && v <= 1; });
+}
+
 /// What is wrong; empty if nothing is.
 std::string problemOf(const UpsamplerOptions& options) {
     const auto& lights = illuminantNames();
@@ -14,6 +18,20 @@ std::string problemOf(const UpsamplerOptions& options) {
         return "unknown illuminant '" + *options.illuminant + "'";
     }
     if (findMethod(options.method) == nullptr) return "unknown method '" + options.method + "'";
+    const auto materials = materialNames();
+    if (options.material &&
+        std::find(materials.begin(), materials.end(), *options.material) == materials.end()) {
+        return "unknown material '" + *options.material + "'";
+    }
+    if (options.samples.size() > kMostSamples) {
+        return "at most " + std::to_string(kMostSamples) + " samples, not " +
+               std::to_string(options.samples.size());
+    }
+    for (const MeasuredSample& sample : options.samples) {
+        if (!isReflectance(sample.reflectance)) {
+            return "the sample '" + sample.name + "' is no reflectance: it leaves [0, 1]";
+        }
+    }
     if (options.grid && (*options.grid < kFewestGridNodes || *options.grid > kMostGridNodes)) {
         return "a grid has " + std::to_string(kFewestGridNodes) + " to " +
                std::to_string(kMostGridNodes) + " nodes an axis, not " +

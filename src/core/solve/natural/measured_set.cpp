@@ -3,12 +3,27 @@
 #include "color/tables.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace specbake {
+namespace {
+
+constexpr std::array<std::string_view, 4> kMaterials = {"skin", "leaf", "wood", "ground"};
+
+}  // namespace
+
+std::span<const std::string_view> materialNames() {
+    return kMaterials;
+}
+
+}  // namespace specbake
 
 namespace specbake::internal {
 namespace {
 
 MeasuredSample sampleOf(const tables::ReflectanceTable& table) {
-    MeasuredSample sample{std::string(table.name), std::string(table.material), {}};
+    MeasuredSample sample{std::string(table.name), {}, std::string(table.material)};
     for (std::size_t m = 0; m < sample.reflectance.size(); ++m) {
         sample.reflectance[m] = table.value[m] / tables::kReflectanceScale;
     }
@@ -39,6 +54,16 @@ std::vector<MeasuredSet> builtInSetsWithout(std::span<const std::string_view> na
         return std::ranges::find(names, set.name) != names.end();
     });
     return sets;
+}
+
+std::vector<MeasuredSample> samplesOfMaterial(const std::vector<MeasuredSet>& sets,
+                                              std::string_view material) {
+    std::vector<MeasuredSample> samples;
+    for (const MeasuredSet& set : sets) {
+        std::ranges::copy_if(set.samples, std::back_inserter(samples),
+                             [&](const MeasuredSample& s) { return s.material == material; });
+    }
+    return samples;
 }
 
 }  // namespace specbake::internal

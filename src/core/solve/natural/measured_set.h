@@ -1,6 +1,6 @@
 #pragma once
 
-#include <specbake/core/spectrum.h>
+#include <specbake/core/measured_sample.h>
 
 #include <span>
 #include <string>
@@ -8,13 +8,6 @@
 #include <vector>
 
 namespace specbake::internal {
-
-/// A measured reflectance, in [0, 1].
-struct MeasuredSample {
-    std::string name;
-    std::string material;  ///< "skin", "leaf", "wood", "ground", or "" if it is none of these
-    Spectrum reflectance{};
-};
 
 /// Reflectances that were measured together: a chart, a laboratory, a material.
 struct MeasuredSet {
@@ -27,5 +20,9 @@ const std::vector<MeasuredSet>& builtInSets();
 
 /// The built-in sets without those named.
 std::vector<MeasuredSet> builtInSetsWithout(std::span<const std::string_view> names);
+
+/// All samples of a material, of whatever set.
+std::vector<MeasuredSample> samplesOfMaterial(const std::vector<MeasuredSet>& sets,
+                                              std::string_view material);
 
 }  // namespace specbake::internal

@@ -40,15 +40,17 @@ double fade(const Imath::V3d& place) {
 Vote::Vote(const Observer& observer, const Solver& solver, const std::vector<MeasuredSet>& sets)
     : white_(observer.white()) {
     for (const MeasuredSet& set : sets) {
+        std::vector<XYZ> colors;
+        for (const MeasuredSample& s : set.samples) colors.push_back(observer.color(s.reflectance));
+        std::vector<Solution> solutions(colors.size());
+        solver.solveMany(colors, solutions);
         std::vector<Black>& blacks = sets_.emplace_back();
-        for (const MeasuredSample& sample : set.samples) {
-            const XYZ color = observer.color(sample.reflectance);
-            const Solution solution = solver.solve(color);
-            if (!solution.solved()) continue;
+        for (std::size_t k = 0; k < colors.size(); ++k) {
+            if (!solutions[k].solved()) continue;
             Black& black = blacks.emplace_back();
-            black.place = placeOf(color, white_);
-            black.difference = sample.reflectance;
-            addTo(black.difference, -1, solution.spectrum);
+            black.place = placeOf(colors[k], white_);
+            black.difference = set.samples[k].reflectance;
+            addTo(black.difference, -1, solutions[k].spectrum);
         }
     }
 }

@@ -138,7 +138,7 @@ TEST_CASE("far from all samples, and without any, there is no vote") {
     const ShellSolver solver(observer);
     CHECK(Vote(observer, solver, {}).at(XYZ(0.3, 0.2, 0.1)) == Spectrum{});
     CHECK(Vote(observer, solver, {{"empty", {}}}).at(XYZ(0.3, 0.2, 0.1)) == Spectrum{});
-    MeasuredSample sample{"one", "", constantSpectrum(0.2)};
+    MeasuredSample sample{"one", constantSpectrum(0.2), ""};
     for (std::size_t m = 40; m < kBandCount; ++m) sample.reflectance[m] = 0.7;
     const Vote one(observer, solver, {{"one", {sample}}});
     CHECK(one.at(XYZ(0.1, 0.2, 0.9)) == Spectrum{});

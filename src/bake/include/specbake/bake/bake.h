@@ -21,6 +21,11 @@ struct BakeOptions {
     ReadOptions read;                  ///< of a texture in a file
     std::optional<std::string> space;  ///< of colorSpaces(); none: what the texture says
     UpsamplerOptions model;
+    /// Instead of `model.material`, texel by texel: an image of the texture's size whose first
+    /// channels are the shares of `mappedMaterials`, in their order: integers from 0 to 1, not
+    /// decoded. What is left to 1 is of no material; of more than 1 in all, each is its part.
+    std::optional<std::filesystem::path> materialMap;
+    std::vector<std::string> mappedMaterials;  ///< of materialNames(), at most kMostMapped
     /// Instead of `model.grid`: the coarsest grid whose spectra deviate by at most this from the
     /// directly solved ones: RMS over the bands and all texels. Every colour of the texture is
     /// solved to know; of more than 2^20 colours a sample of as many.
@@ -35,6 +40,7 @@ struct BakeOptions {
 
     static constexpr int kFewestMantissaBits = 4;
     static constexpr int kMostMantissaBits = 10;  ///< all that a half has
+    static constexpr std::size_t kMostMapped = 3;
 
     /// Whether a bake can begin. `reason`, if it is given, says why not: one line.
     [[nodiscard]] SPECBAKE_API bool isValid(std::string* reason = nullptr) const;
@@ -57,7 +63,7 @@ struct BakeStatistics {
     double largestMove = 0;  ///< of these: CIEDE2000 from the colour asked for to that given
     std::size_t nodesSolved = 0;
     double seconds = 0;
-    std::vector<std::string> notes;  ///< of the texture: what of the file was not used
+    std::vector<std::string> notes;  ///< what of the texture was not used; of samples
 };
 
 /// The texture to the spectral image `output`, which appears whole or not at all. The bytes of the

@@ -57,6 +57,14 @@ class SPECBAKE_API Upsampler {
     /// All that its spectra depend on, as one line of text.
     std::string identity() const;
 
+    /// The samples of the options in a few words: how many, and a hash of them. The same for the
+    /// same spectra in the same order.
+    std::string samplesIdentity() const;
+
+    /// What is to be told of the samples of the options, a line each: which were averaged, and how
+    /// near spectra are to each sample if it is left out. Empty without samples.
+    const std::vector<std::string>& notes() const;
+
     /// The tristimulus of a linear colour of the space.
     XYZ xyz(const RGB& color) const;
     XYZ xyz(const Color& color) const;

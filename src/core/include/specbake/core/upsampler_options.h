@@ -1,10 +1,12 @@
 #pragma once
 
 #include <specbake/core/api.h>
+#include <specbake/core/measured_sample.h>
 #include <specbake/core/outside.h>
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace specbake {
 
@@ -18,6 +20,12 @@ struct UpsamplerOptions {
     /// The light under which the colours hold, of illuminantNames(); none: the space's own white.
     std::optional<std::string> illuminant;
     std::string method = "smooth";  ///< of methods()
+    /// Of materialNames(): near the colours of its samples, spectra are those of that material.
+    std::optional<std::string> material;
+    /// Measured samples, at most kMostSamples. At a sample's colour the spectrum is the sample
+    /// (without a grid exactly), about it nearly so, far from all samples the method's. Samples of
+    /// one colour are averaged.
+    std::vector<MeasuredSample> samples;
     Outside outside = Outside::nearest;
     /// Nodes of the lookup grid along each axis; none: each colour is solved by itself.
     std::optional<int> grid = kDefaultGridNodes;
