@@ -4,6 +4,7 @@
 #include "figures.h"
 #include "measures.h"
 #include "methods/frame.h"
+#include "solve/samples/with_samples.h"
 #include "statistics.h"
 #include "tasks.h"
 
@@ -17,14 +18,36 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <span>
+#include <string>
 
 namespace specbake::bench {
 
 namespace {
 
-/// The methods that have a spectrum for every colour of the solid.
-constexpr std::array kExhausted = {"smooth", "natural"};
+/// A model that has a spectrum for every colour of the solid.
+struct Exhausted {
+    std::string method;
+    std::string material;  ///< "": none
+
+    std::string name() const { return material.empty() ? method : material; }
+    UpsamplerOptions options() const {
+        UpsamplerOptions options;
+        options.method = method;
+        if (!material.empty()) options.material = material;
+        return options;
+    }
+};
+
+const std::array kExhausted = {Exhausted{"smooth", ""}, Exhausted{"natural", ""},
+                               Exhausted{"natural", "skin"}};
+
+std::shared_ptr<const Solver> solverOf(const Exhausted& model, const Observer& observer,
+                                       const Solid& solid) {
+    auto solver = findMethod(model.method)->makeSolver(observer, solid, SolverUse::gridNodes);
+    return internal::withSamples(model.options(), observer, std::move(solver)).solver;
+}
 
 /// Blue is drawn first: the figures of docs/method.md are those of these colours.
 RGB blueFirst(Generator& random, double low, double high) {
@@ -199,11 +222,9 @@ std::array<PairSet, 3> pairSets(std::size_t count) {
     return sets;
 }
 
-void addContinuity(Figures& figures, const std::string& name, std::size_t count) {
+void addContinuity(Figures& figures, const Exhausted& model, std::size_t count) {
     const Frame frame = sRGBFrame();
-    UpsamplerOptions options;
-    options.method = name;
-    const Upsampler upsampler(frame.space, options);
+    const Upsampler upsampler(frame.space, model.options());
     const auto directly = [&](const RGB& rgb) {
         return upsampler.solve(frame.xyz(rgb)).solution.spectrum;
     };
@@ -216,7 +237,7 @@ void addContinuity(Figures& figures, const std::string& name, std::size_t count)
                                  (pair.a - pair.b).length());
             }
             const double high = quantile(slopes, 0.999);
-            const MethodName method{name, way};
+            const MethodName method{model.name(), way};
             fmt::print("{:<20} {:<24} slope: p99.9 {:.3g}, max {:.3g}\n", method.full(), set.name,
                        high, largest(slopes));
             figures.add({set.name, method, "slope p99.9", high, "reflectance per RGB", {}, ""});
@@ -237,17 +258,17 @@ void runExhaustive(const Options& options) {
         const Observer observer(illuminant);
         const Solid solid(observer);
         const auto sets = setsOf(observer, solid, options.full ? 100'000 : 10'000);
-        for (const char* name : kExhausted) {
-            const auto solver = findMethod(name)->makeSolver(observer, solid, SolverUse::gridNodes);
+        for (const Exhausted& model : kExhausted) {
+            const auto solver = solverOf(model, observer, solid);
             const std::vector<Outcome> outcomes = solveAll(*solver, observer, sets);
             for (std::size_t s = 0; s < sets.size(); ++s) {
-                addOutcome(figures, {name, illuminant}, sets[s], outcomes[s]);
+                addOutcome(figures, {model.name(), illuminant}, sets[s], outcomes[s]);
                 failed += outcomes[s].failed;
             }
         }
     }
-    for (const char* name : kExhausted) {
-        addContinuity(figures, name, options.full ? 100'000 : 10'000);
+    for (const Exhausted& model : kExhausted) {
+        addContinuity(figures, model, options.full ? 100'000 : 20'000);
     }
     figures.write(options.out);
     if (failed > 0) throw Error(fmt::format("{} colours were not solved", failed));
