@@ -2,11 +2,14 @@
 #include "baking.h"
 #include "choose/tolerances.h"
 #include "chosen_space.h"
+#include "identity/identity.h"
 #include "material/material_map.h"
 #include "watched_texture.h"
 
 #include <specbake/bake/bake.h>
+#include <specbake/bake/model_cache.h>
 #include <specbake/core/error.h>
+#include <specbake/image/file_fingerprint.h>
 #include <specbake/image/spectral_writer.h>
 
 #include <chrono>
@@ -33,15 +36,16 @@ class Job {
   public:
     Job(Texture& texture, const BakeOptions& options)
         : options_(checked(options)),
+          models_(options.models ? options.models : std::make_shared<ModelCache>()),
           space_(chosenSpace(texture.info(), options)),
           decoder_(texture.info(), space_),
           watched_(texture),
           source_{watched_, decoder_, options.threads, options.stop},
-          upsampler_(space_, decidedModel()),
+          upsampler_(models_->model(space_, decidedModel())),
           bits_(decidedBits()) {
         if (!options_.materialMap) return;
         mapImage_.emplace(options_.materialMap->string());
-        map_.emplace(*mapImage_, texture.info(), space_, upsampler_.options(),
+        map_.emplace(*mapImage_, texture.info(), space_, upsampler_->options(),
                      options_.mappedMaterials);
     }
     Job(const Job&) = delete;
@@ -49,32 +53,37 @@ class Job {
 
     SpectralHeader header() const {
         const TextureInfo& info = source_.info();
-        Attributes attributes = bakedAttributes(info.attributes, upsampler_,
+        Attributes attributes = bakedAttributes(info.attributes, *upsampler_,
                                                 half() ? std::optional(bits_) : std::nullopt);
         if (map_) addMaterials(attributes, options_.mappedMaterials, *options_.materialMap);
         return {info.data, info.display, info.pixelAspectRatio, info.alpha.has_value(),
                 std::move(attributes)};
     }
 
+    /// Of a texture with that fingerprint.
+    std::string identity(const std::string& source) const {
+        return bakeIdentity(source, *models_->model(space_, options_.model), options_);
+    }
+
     BakeStatistics run(SpectralSink& sink) {
-        Baking baking(source_, upsampler_, map_ ? &*map_ : nullptr, sink, bits_);
+        Baking baking(source_, *upsampler_, map_ ? &*map_ : nullptr, sink, bits_);
         const ColorCensus census = baking.run(options_.progress);
         const TextureInfo& info = source_.info();
-        statistics_.space = upsampler_.space().name;
-        statistics_.illuminant = upsampler_.observer().illuminant();
+        statistics_.space = upsampler_->space().name;
+        statistics_.illuminant = upsampler_->observer().illuminant();
         statistics_.texels = std::size_t(info.data.width) * std::size_t(info.data.height);
-        statistics_.grid = upsampler_.options().grid.value_or(0);
+        statistics_.grid = upsampler_->options().grid.value_or(0);
         statistics_.bits = half() ? bits_ : std::numeric_limits<float>::digits - 1;
         statistics_.directTexels = census.of(Fate::solved).count + census.of(Fate::moved).count;
         statistics_.outsideTexels = census.of(Fate::moved).count;
         statistics_.largestMove = census.largestMove();
-        statistics_.nodesSolved = upsampler_.nodesSolved();
+        statistics_.nodesSolved = upsampler_->nodesSolved();
         statistics_.notes = info.notes;
         if (watched_.holdsNormals()) {
             statistics_.notes.emplace_back(
                 "its texels are unit vectors around (0.5, 0.5, 1): normals, it seems, no colours");
         }
-        std::ranges::copy(upsampler_.notes(), std::back_inserter(statistics_.notes));
+        std::ranges::copy(upsampler_->notes(), std::back_inserter(statistics_.notes));
         return statistics_;
     }
 
@@ -84,7 +93,8 @@ class Job {
     UpsamplerOptions decidedModel() {
         UpsamplerOptions model = options_.model;
         if (!options_.maxDeviation || !model.grid) return model;
-        const GridChoice choice = chooseGrid(source_, space_, model, *options_.maxDeviation);
+        const GridChoice choice =
+            chooseGrid(source_, space_, model, *options_.maxDeviation, *models_);
         statistics_.deviation = choice.deviation;
         statistics_.largestDeviation = choice.largest;
         statistics_.deviationColors = choice.colors;
@@ -95,18 +105,19 @@ class Job {
 
     int decidedBits() {
         if (!options_.maxDE || !half()) return options_.bits;
-        const BitsChoice choice = chooseBits(source_, upsampler_, *options_.maxDE);
+        const BitsChoice choice = chooseBits(source_, *upsampler_, *options_.maxDE);
         statistics_.difference = choice.difference;
         return choice.bits;
     }
 
     BakeOptions options_;
+    std::shared_ptr<ModelCache> models_;
     BakeStatistics statistics_;
     ColorSpace space_;
     TexelDecoder decoder_;
     WatchedTexture watched_;
     TexelSource source_;
-    Upsampler upsampler_;
+    std::shared_ptr<const Upsampler> upsampler_;
     int bits_;
     std::optional<TextureReader> mapImage_;
     std::optional<MaterialMap> map_;
@@ -122,24 +133,33 @@ BakeStatistics timed(const Work& work) {
     return statistics;
 }
 
-}  // namespace
-
-BakeStatistics bake(Texture& texture, const std::filesystem::path& output,
-                    const BakeOptions& options) {
+/// `source`: the fingerprint of the texture's file, if there is one.
+BakeStatistics bakeToFile(Texture& texture, const std::optional<std::string>& source,
+                          const std::filesystem::path& output, const BakeOptions& options) {
     return timed([&] {
         Job job(texture, options);
-        SpectralWriter writer(output, job.header(), options.storage);
+        SpectralHeader header = job.header();
+        if (source) header.attributes[kIdentityAttribute] = job.identity(*source);
+        SpectralWriter writer(output, header, options.storage);
         BakeStatistics statistics = job.run(writer);
         writer.commit();
         return statistics;
     });
 }
 
+}  // namespace
+
+BakeStatistics bake(Texture& texture, const std::filesystem::path& output,
+                    const BakeOptions& options) {
+    return bakeToFile(texture, {}, output, options);
+}
+
 BakeStatistics bake(const std::string& input, const std::filesystem::path& output,
                     const BakeOptions& options) {
     checked(options);
+    const auto source = fileFingerprint(input);
     TextureReader texture(input, options.read);
-    return bake(texture, output, options);
+    return bakeToFile(texture, source, output, options);
 }
 
 BakeStatistics bake(Texture& texture, const RowReceiver& receiver, const BakeOptions& options) {

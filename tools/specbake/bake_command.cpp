@@ -1,3 +1,7 @@
+#include "bake_report.h"
+#include "batch/batch_command.h"
+#include "batch/input_names.h"
+#include "batch/plan.h"
 #include "choices.h"
 #include "commands.h"
 #include "progress_bar.h"
@@ -6,6 +10,7 @@
 
 #include <specbake/bake/bake.h>
 #include <specbake/bake/report.h>
+#include <specbake/bake/up_to_date.h>
 #include <specbake/core/error.h>
 #include <specbake/image/output_file.h>
 
@@ -13,11 +18,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace specbake::tool {
 namespace {
@@ -25,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Arguments {
-    std::string input;
+    std::vector<std::string> inputs;
     std::string output;
     ReadArguments read;
     std::string space = "auto";
@@ -57,8 +63,7 @@ UpsamplerOptions modelOf(const Arguments& a, BakeOptions& options,
 }
 
 /// `notes`: what there is to tell of the files that options name.
-BakeOptions optionsOf(const Arguments& a, const std::stop_token& stop, ProgressBar& bar,
-                      std::vector<std::string>& notes) {
+BakeOptions optionsOf(const Arguments& a, std::vector<std::string>& notes) {
     BakeOptions options = a.options;
     options.read = a.read.options();
     options.space = unlessAuto(a.space);
@@ -67,76 +72,33 @@ BakeOptions optionsOf(const Arguments& a, const std::stop_token& stop, ProgressB
     options.storage.sampleType = parseSampleType(a.sampleType);
     parseCompression(a.compression, options.storage);
     if (!a.tile.empty()) options.storage.tile = TileSize{a.tile.at(0), a.tile.at(1)};
-    options.stop = stop;
-    options.progress = [&bar](double done) { bar.show(done); };
     return options;
 }
 
-bool isUpToDate(const Arguments& a) {
-    std::error_code missing;
-    const auto made = fs::last_write_time(a.output, missing);
-    return !missing && made >= fs::last_write_time(a.input, missing) && !missing;
-}
-
-void writeStats(const BakeStatistics& s, const Arguments& a) {
-    nlohmann::ordered_json json = {{"input", a.input},
-                                   {"output", a.output},
-                                   {"space", s.space},
-                                   {"illuminant", s.illuminant},
-                                   {"texels", s.texels},
-                                   {"direct_texels", s.directTexels},
-                                   {"outside_texels", s.outsideTexels},
-                                   {"outside_max_de2000", s.largestMove},
-                                   {"nodes_solved", s.nodesSolved},
-                                   {"grid", s.grid},
-                                   {"bits", s.bits},
-                                   {"seconds", s.seconds},
-                                   {"notes", s.notes}};
-    if (s.deviation) {
-        json["deviation"] = *s.deviation;
-        json["deviation_largest"] = s.largestDeviation;
-        json["deviation_colors"] = s.deviationColors;
-        json["deviation_of_all"] = s.deviationOfAll;
+/// To the file that --stats names, or to stdout.
+void writeStats(const nlohmann::ordered_json& json, const Arguments& a) {
+    const std::string text = jsonText(json, 2) + '\n';
+    if (a.statsFile == "-") {
+        std::fputs(text.c_str(), stdout);
+        return;
     }
-    if (s.difference) json["de2000"] = *s.difference;
     OutputFile file(a.statsFile);
     std::ofstream out(file.temporaryPath());
-    out << json.dump(2) << '\n';
+    out << text;
     out.close();
     if (!out) throw FileError(a.statsFile, "cannot be written");
     file.commit();
 }
 
-void report(const BakeStatistics& s, const Arguments& a) {
-    for (const std::string& note : s.notes) {
-        if (!a.quiet) std::fprintf(stderr, "specbake: %s: %s\n", a.input.c_str(), note.c_str());
-    }
-    if (s.deviation && !a.quiet) {
-        std::printf(
-            "%s: a grid of %d nodes deviates by %.5f RMS, by %.4f in one texel (%s%zu colours)\n",
-            a.output.c_str(), s.grid, *s.deviation, s.largestDeviation,
-            s.deviationOfAll ? "" : "a sample of ", s.deviationColors);
-    }
-    if (s.difference && !a.quiet) {
-        std::printf("%s: %d bits of mantissa keep every texel within CIEDE2000 %.4f\n",
-                    a.output.c_str(), s.bits, *s.difference);
-    }
-    if (s.outsideTexels > 0 && !a.quiet) {
-        std::fprintf(stderr,
-                     "specbake: %s: %zu texels have a colour that no reflectance has; they were "
-                     "moved by up to CIEDE2000 %.2f (--outside %s)\n",
-                     a.input.c_str(), s.outsideTexels, s.largestMove, a.model.outside.c_str());
-    }
-    if (a.verbose) {
-        std::printf(
-            "%s -> %s: %zu texels (%s, %s) in %.2f s; %zu nodes solved, %zu texels one by one\n",
-            a.input.c_str(), a.output.c_str(), s.texels, s.space.c_str(), s.illuminant.c_str(),
-            s.seconds, s.nodesSolved, s.directTexels);
-    }
+void report(const BakeStatistics& s, const Arguments& a, const std::string& input) {
+    const bool toStdout = a.statsFile != "-";
+    if (!a.quiet && toStdout) std::fputs(choicesText(a.output, s).c_str(), stdout);
+    if (!a.quiet) printRemarks(input, s, a.model.outside);
+    if (a.verbose && toStdout) std::printf("%s\n", bakeLine(input, a.output, s).c_str());
 }
 
 /// The page about the file as it was written: it is read back and compared.
-void writePage(const BakeStatistics& s, const Arguments& a) {
+void writePage(const BakeStatistics& s, const Arguments& a, const std::string& input) {
     ReportOptions page;
     page.verify.read = a.read.options();
     page.verify.space = unlessAuto(a.space);
@@ -147,45 +109,70 @@ void writePage(const BakeStatistics& s, const Arguments& a) {
                   {"texels solved one by one", std::to_string(s.directTexels)},
                   {"nodes solved", std::to_string(s.nodesSolved)},
                   {"seconds", fmt::format("{:.2f}", s.seconds)}};
-    writeReport(a.output, a.input, a.reportFile, page);
+    writeReport(a.output, input, a.reportFile, page);
 }
 
-void checkOutput(const Arguments& a) {
-    for (const std::string& input : {a.input, a.materialMap, a.model.samples}) {
+void checkOutput(const Arguments& a, const std::string& texture) {
+    for (const std::string& input : {texture, a.materialMap, a.model.samples}) {
         std::error_code missing;
         if (!input.empty() && fs::equivalent(input, a.output, missing)) {
             throw ArgumentError(a.output + ": the output is the input");
         }
     }
-    std::string extension = fs::path(a.output).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    if (extension != ".exr") {
-        throw ArgumentError(a.output + ": a spectral image is an EXR; its name must end in .exr");
-    }
+    checkSpectralName(a.output);
 }
 
-ExitCode bakeCommand(const Arguments& a) {
-    checkOutput(a);
-    if (a.update && isUpToDate(a)) {
-        if (a.verbose) std::printf("%s is up to date\n", a.output.c_str());
-        return kDone;
-    }
+ExitCode bakeOne(const Arguments& a, const std::string& input) {
+    checkOutput(a, input);
     const ThreadPool pool(a.options.threads);
     StopSignals signals;
     try {
-        ProgressBar bar("baking " + fs::path(a.input).filename().string(), !a.quiet);
+        ProgressBar bar("baking " + fs::path(input).filename().string(), !a.quiet);
         std::vector<std::string> notes;
-        BakeStatistics s = bake(a.input, a.output, optionsOf(a, signals.token(), bar, notes));
+        BakeOptions options = optionsOf(a, notes);
+        options.stop = signals.token();
+        options.progress = [&bar](double done) { bar.show(done); };
+        if (a.update && !outdated(input, a.output, options)) {
+            if (a.verbose) std::printf("%s is up to date\n", a.output.c_str());
+            return kDone;
+        }
+        BakeStatistics s = bake(input, a.output, options);
         s.notes.insert(s.notes.end(), notes.begin(), notes.end());
-        if (!a.statsFile.empty()) writeStats(s, a);
-        if (!a.reportFile.empty()) writePage(s, a);
-        report(s, a);
+        bar.clear();
+        if (!a.statsFile.empty()) writeStats(bakeJson(input, a.output, s), a);
+        if (!a.reportFile.empty()) writePage(s, a, input);
+        report(s, a, input);
     } catch (const Cancelled&) {
         signals.passOn();
         throw;
+    } catch (const FileError& error) {
+        if (!a.statsFile.empty()) writeStats(failureJson(input, a.output, error.what()), a);
+        throw;
     }
     return kDone;
+}
+
+/// Whether `-o` says where one texture goes by a folder that is there, or by a pattern.
+bool namesByInput(const std::string& output) {
+    std::error_code ignored;
+    return output.find('{') != std::string::npos ||
+           (fs::is_directory(output, ignored) && fs::path(output).extension() != ".exr");
+}
+
+ExitCode bakeCommand(const Arguments& a) {
+    Inputs inputs = expandInputs(a.inputs);
+    if (inputs.single && !namesByInput(a.output)) return bakeOne(a, inputs.all.front().path);
+    if (!a.reportFile.empty()) throw ArgumentError("--report is of one texture, not of several");
+    std::vector<std::string> notes;
+    const BakeOptions options = optionsOf(a, notes);
+    for (const std::string& note : notes) {
+        if (!a.quiet) std::fprintf(stderr, "specbake: %s\n", note.c_str());
+    }
+    return batchCommand({std::move(inputs),
+                         a.output,
+                         options,
+                         a.update,
+                         {a.statsFile, a.model.outside, a.verbose, a.quiet}});
 }
 
 }  // namespace
@@ -193,8 +180,19 @@ ExitCode bakeCommand(const Arguments& a) {
 Command addBake(CLI::App& program) {
     auto a = std::make_shared<Arguments>();
     CLI::App* command = program.add_subcommand("bake", "A texture to a spectral EXR");
-    command->add_option("input", a->input, "texture: any image that OpenImageIO reads")->required();
-    command->add_option("-o,--output", a->output, "spectral image to write (.exr)")->required();
+    command
+        ->add_option("input", a->inputs,
+                     "textures: images that OpenImageIO reads, folders of them, patterns such as "
+                     "'tex/*.png', 'wood.<UDIM>.png' or 'rust.####.tif', and @LIST, a file of such "
+                     "words, one a line")
+        ->type_name("IN ...")
+        ->required();
+    command
+        ->add_option("-o,--output", a->output,
+                     "spectral image to write (.exr); of several textures the folder to write "
+                     "into, or a pattern such as '{dir}/{stem}.spectral.exr' or "
+                     "'out/wood.<UDIM>.exr'")
+        ->required();
     addReadOptions(*command, a->read, "else the colours of the file");
     command->add_option("--space", a->space, "colour space of the texture")
         ->check(CLI::IsMember(spaceChoices()))
@@ -246,10 +244,15 @@ Command addBake(CLI::App& program) {
     command->add_flag("--mipmap", a->options.storage.mipmap,
                       "store all mip levels, averages of spectra; tiles of 64 x 64 unless --tile");
     addThreads(*command, a->options.threads);
-    command->add_option("--stats", a->statsFile, "write what was done to this JSON file");
+    command->add_option("--stats", a->statsFile,
+                        "write what was done, or why not, to this JSON file, - for stdout; of "
+                        "several textures a line each");
     command->add_option("--report", a->reportFile,
-                        "read the result back, and write a page about it to this HTML file");
-    command->add_flag("-u,--update", a->update, "do nothing if the output is newer than the input");
+                        "read the result back, and write a page about it to this HTML file; of one "
+                        "texture");
+    command->add_flag("-u,--update", a->update,
+                      "bake only what is missing, older than its texture, or made of another "
+                      "texture, by other options or by another version");
     command->add_flag("-v,--verbose", a->verbose, "say what was done");
     command->add_flag("-q,--quiet", a->quiet, "no progress bar and no remarks");
     return [a] { return bakeCommand(*a); };

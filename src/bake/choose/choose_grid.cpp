@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numeric>
 #include <span>
 #include <string>
@@ -19,6 +20,8 @@ namespace specbake::internal {
 namespace {
 
 constexpr std::array kResolutions = {3, 5, 7, 9, 13, 17, 25, 33, 49, 65, 97, 129};
+
+constexpr int kFinestShared = 33;  ///< whose nodes, 14 MB at most, are kept for other textures
 
 /// The bands of some colours, one after the other.
 using Bands = std::vector<float>;
@@ -129,15 +132,18 @@ class GridTrial {
 }  // namespace
 
 GridChoice chooseGrid(const TexelSource& source, const ColorSpace& space,
-                      const UpsamplerOptions& model, double limit) {
+                      const UpsamplerOptions& model, double limit, ModelCache& models) {
     UpsamplerOptions options = model;
     options.grid = std::nullopt;
-    const Upsampler direct(space, options);
-    GridTrial trial(source, direct);
+    const auto direct = models.model(space, options);
+    GridTrial trial(source, *direct);
     GridChoice choice{0, 0, 0, trial.tally().colors.size(), trial.tally().all};
     for (const int nodes : kResolutions) {
         options.grid = nodes;
-        const Deviation found = trial.of(Upsampler(space, options), limit);
+        const auto coarse = nodes <= kFinestShared
+                                ? models.model(space, options)
+                                : std::make_shared<const Upsampler>(space, options);
+        const Deviation found = trial.of(*coarse, limit);
         choice.nodes = nodes;
         choice.deviation = found.rms();
         choice.largest = found.largestRms();

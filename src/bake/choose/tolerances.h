@@ -2,7 +2,7 @@
 
 #include "texel_source.h"
 
-#include <specbake/core/upsampler.h>
+#include <specbake/bake/model_cache.h>
 
 namespace specbake::internal {
 
@@ -20,7 +20,7 @@ inline constexpr std::size_t kMostColors = std::size_t(1) << 20;
 
 /// Throws FileError if the finest grid does not suffice.
 GridChoice chooseGrid(const TexelSource& source, const ColorSpace& space,
-                      const UpsamplerOptions& model, double deviation);
+                      const UpsamplerOptions& model, double deviation, ModelCache& models);
 
 /// The fewest bits of mantissa with which every texel, as half, is within `difference` (CIEDE2000)
 /// of the colour that its unrounded spectrum has. Every colour of the texture is tried.

@@ -97,7 +97,8 @@ struct BakedImage::Implementation {
     UpsamplerOptions decidedModel() const {
         UpsamplerOptions model = options.model;
         if (options.maxDeviation && model.grid) {
-            model.grid = chooseGrid(source, space, model, *options.maxDeviation).nodes;
+            ModelCache models;
+            model.grid = chooseGrid(source, space, model, *options.maxDeviation, models).nodes;
         }
         return model;
     }

@@ -98,22 +98,6 @@ TEST_CASE("the output must not be the input, by whatever name") {
     CHECK(contentsOf(scratch.path("a.png")) == contentsOf(testImage("1x1.png")));
 }
 
-TEST_CASE("-u bakes what is missing or older than its texture, and nothing else") {
-    const Scratch scratch;
-    const std::string input = scratch.path("a.png");
-    const std::string output = scratch.path("o.exr");
-    fs::copy(testImage("1x1.png"), input);
-    const auto update = [&] { return runTool({"bake", "-u", input, "-o", output}).exitCode; };
-    REQUIRE(update() == 0);
-    const std::string spectra = contentsOf(output);
-    writeFile(output, "newer");
-    CHECK(update() == 0);
-    CHECK(contentsOf(output) == "newer");
-    fs::last_write_time(input, fs::last_write_time(output) + std::chrono::seconds(2));
-    CHECK(update() == 0);
-    CHECK(contentsOf(output) == spectra);
-}
-
 TEST_CASE("--stats says what was done") {
     const Scratch scratch;
     const std::string input = testImage("17x33.png");

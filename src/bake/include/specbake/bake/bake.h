@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -15,6 +16,8 @@
 #include <vector>
 
 namespace specbake {
+
+class ModelCache;
 
 /// How a texture is baked. The defaults are those of `specbake bake`.
 struct BakeOptions {
@@ -34,6 +37,7 @@ struct BakeOptions {
     /// Instead of `bits`: the fewest that keep every texel within this CIEDE2000.
     std::optional<double> maxDE;
     StorageOptions storage;
+    std::shared_ptr<ModelCache> models;    ///< shared with other bakes; none: no one else's
     int threads = 0;                       ///< 0: all cores
     std::stop_token stop;                  ///< when stopped, bake() throws Cancelled
     std::function<void(double)> progress;  ///< called with 0 to 1, from one thread at a time
@@ -60,8 +64,8 @@ struct BakeStatistics {
     std::optional<double> difference;  ///< what maxDE met: the largest CIEDE2000
     std::size_t directTexels = 0;      ///< not, or not only, through the grid
     std::size_t outsideTexels = 0;     ///< whose colour no reflectance has
-    double largestMove = 0;  ///< of these: CIEDE2000 from the colour asked for to that given
-    std::size_t nodesSolved = 0;
+    double largestMove = 0;       ///< of these: CIEDE2000 from the colour asked for to that given
+    std::size_t nodesSolved = 0;  ///< of the model, also by those that share it
     double seconds = 0;
     std::vector<std::string> notes;  ///< what of the texture was not used; of samples
 };

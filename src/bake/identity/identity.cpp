@@ -1,0 +1,78 @@
+#include "identity/identity.h"
+
+#include <specbake/image/file_fingerprint.h>
+
+#include <array>
+#include <charconv>
+
+namespace specbake::internal {
+namespace {
+
+/// The shortest decimal that reads back as the same number.
+std::string decimal(double value) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    return {text.data(), end};
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
+    std::string text;
+    for (const std::string& word : words) {
+        if (!text.empty()) text += between;
+        text += word;
+    }
+    return text;
+}
+
+std::string described(const ReadOptions& read) {
+    std::vector<std::string> words;
+    if (!read.channels.empty()) words.push_back("channels " + joined(read.channels, ","));
+    if (read.part) words.push_back("part " + *read.part);
+    if (read.orient) words.emplace_back("turned");
+    return words.empty() ? "read as it is" : joined(words, ", ");
+}
+
+/// The map's bytes, and what its channels are.
+std::string describedMap(const BakeOptions& options) {
+    const auto map = fileFingerprint(options.materialMap->string());
+    return joined(options.mappedMaterials, ",")
+        .append(" by a map of ")
+        .append(map.value_or("no file that could be compared"));
+}
+
+std::string precision(const BakeOptions& options) {
+    std::string text(sampleTypeName(options.storage.sampleType));
+    if (options.storage.sampleType == SampleType::half) {
+        text += options.maxDE ? " within CIEDE2000 " + decimal(*options.maxDE)
+                              : " of " + std::to_string(options.bits) + " bits";
+    }
+    if (options.maxDeviation) text += ", grid within " + decimal(*options.maxDeviation);
+    return text;
+}
+
+std::string described(const StorageOptions& storage) {
+    std::vector<std::string> words = {std::string(compressionName(storage.compression))};
+    if (words.front().starts_with("zip")) {
+        words.front() += ':';
+        words.front() += std::to_string(storage.level);
+    }
+    if (storage.isTiled()) {
+        const TileSize tile = storage.tile.value_or(TileSize());
+        words.push_back("tiles " + std::to_string(tile.width) + " x " +
+                        std::to_string(tile.height));
+    }
+    if (storage.mipmap) words.emplace_back("mip levels");
+    return joined(words, ", ");
+}
+
+}  // namespace
+
+std::string bakeIdentity(const std::string& source, const Upsampler& model,
+                         const BakeOptions& options) {
+    std::vector<std::string> parts = {source, described(options.read), model.identity(),
+                                      precision(options), described(options.storage)};
+    if (options.materialMap) parts.push_back(describedMap(options));
+    return joined(parts, kIdentitySeparator);
+}
+
+}  // namespace specbake::internal

@@ -1,0 +1,78 @@
+#include "bake_report.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace specbake::tool {
+
+using Json = nlohmann::ordered_json;
+
+Json bakeJson(const std::string& input, const std::string& output, const BakeStatistics& s) {
+    Json json = {{"input", input},
+                 {"output", output},
+                 {"space", s.space},
+                 {"illuminant", s.illuminant},
+                 {"texels", s.texels},
+                 {"direct_texels", s.directTexels},
+                 {"outside_texels", s.outsideTexels},
+                 {"outside_max_de2000", s.largestMove},
+                 {"nodes_solved", s.nodesSolved},
+                 {"grid", s.grid},
+                 {"bits", s.bits},
+                 {"seconds", s.seconds},
+                 {"notes", s.notes}};
+    if (s.deviation) {
+        json["deviation"] = *s.deviation;
+        json["deviation_largest"] = s.largestDeviation;
+        json["deviation_colors"] = s.deviationColors;
+        json["deviation_of_all"] = s.deviationOfAll;
+    }
+    if (s.difference) json["de2000"] = *s.difference;
+    return json;
+}
+
+Json failureJson(const std::string& input, const std::string& output, const std::string& reason) {
+    return {{"input", input}, {"output", output}, {"error", reason}};
+}
+
+std::string jsonText(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+void printRemarks(const std::string& input, const BakeStatistics& s, const std::string& outside) {
+    for (const std::string& note : s.notes) {
+        std::fprintf(stderr, "specbake: %s: %s\n", input.c_str(), note.c_str());
+    }
+    if (s.outsideTexels > 0) {
+        std::fprintf(stderr,
+                     "specbake: %s: %zu texels have a colour that no reflectance has; they were "
+                     "moved by up to CIEDE2000 %.2f (--outside %s)\n",
+                     input.c_str(), s.outsideTexels, s.largestMove, outside.c_str());
+    }
+}
+
+std::string choicesText(const std::string& output, const BakeStatistics& s) {
+    std::string text;
+    if (s.deviation) {
+        text += fmt::format(
+            "{}: a grid of {} nodes deviates by {:.5f} RMS, by {:.4f} in one texel ({}{} "
+            "colours)\n",
+            output, s.grid, *s.deviation, s.largestDeviation,
+            s.deviationOfAll ? "" : "a sample of ", s.deviationColors);
+    }
+    if (s.difference) {
+        text += fmt::format("{}: {} bits of mantissa keep every texel within CIEDE2000 {:.4f}\n",
+                            output, s.bits, *s.difference);
+    }
+    return text;
+}
+
+std::string bakeLine(const std::string& input, const std::string& output, const BakeStatistics& s) {
+    return fmt::format(
+        "{} -> {}: {} texels ({}, {}) in {:.2f} s; {} nodes solved, {} texels one by one", input,
+        output, s.texels, s.space, s.illuminant, s.seconds, s.nodesSolved, s.directTexels);
+}
+
+}  // namespace specbake::tool

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "batch/input_names.h"
+#include "batch/report.h"
+#include "commands.h"
+
+#include <specbake/bake/bake.h>
+
+namespace specbake::tool {
+
+/// What `bake` does with several textures.
+struct BatchArguments {
+    Inputs inputs;
+    std::string output;
+    BakeOptions options;  ///< of each
+    bool update = false;
+    BatchReport::Options report;
+};
+
+/// kFailed if any texture was not baked. Throws ArgumentError before anything is begun.
+ExitCode batchCommand(const BatchArguments& arguments);
+
+}  // namespace specbake::tool

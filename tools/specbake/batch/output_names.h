@@ -1,0 +1,33 @@
+#pragma once
+
+#include "batch/input_names.h"
+
+#include <string>
+
+namespace specbake::tool {
+
+/// What results are called, as `-o` has it:
+///
+///     OUT                            OUT/STEM.exr; below a folder that was named, in like folders
+///     '{dir}/{stem}.spectral.exr'    by a pattern
+///     'out/wood.<UDIM>.exr'          the input's tile or frame in its place
+///
+/// Of `tex/hull/wood.1001.png`, found in the folder `tex`: {dir} tex/hull, {tree} hull, {name}
+/// wood.1001.png, {stem} wood.1001, {ext} png; {number} is 1001 if the input was
+/// `wood.<UDIM>.png`. {{ and }} are braces.
+class OutputNames {
+  public:
+    /// Throws ArgumentError for a name that would be the same for all.
+    explicit OutputNames(std::string output);
+
+    /// Throws ArgumentError for what a pattern names and the input has not.
+    std::string nameFor(const Input& input) const;
+
+    /// Whether `output` can name more than one result.
+    static bool namesMany(const std::string& output);
+
+  private:
+    std::string output_;
+};
+
+}  // namespace specbake::tool
