@@ -4,6 +4,9 @@
 #include "pipeline.h"
 #include "refusal.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -95,8 +98,35 @@ void Baking::readBand(Band& band) {
     if (map_ != nullptr) band.materials = rowsOf(map_->image(), band, mappedAhead_);
 }
 
+/// The nodes that a band needs, all threads together: a small texture has no other bands for them.
+/// If some of the rows need none, the others need few, and find them by themselves.
+void Baking::solveNodes(const Band& band) {
+    if (!upsampler_.options().grid) return;
+    constexpr int sparse = 4;
+    constexpr std::size_t worthATask = 32;
+    for (int row = 0; row < band.rows; row += sparse) noteNodes(band, row);
+    std::size_t noted = upsampler_.noteNodes({});
+    if (noted == 0) return;
+    for (int row = 0; row < band.rows; ++row) {
+        if (row % sparse != 0) noted = noteNodes(band, row);
+    }
+    // Isolated: a thread that waits here must not begin another band, which may wait for this one.
+    tbb::this_task_arena::isolate([&] {
+        tbb::parallel_for(std::size_t(0), noted / worthATask + 1,
+                          [&](std::size_t) { upsampler_.solveNotedNodes(); });
+    });
+}
+
+std::size_t Baking::noteNodes(const Band& band, int row) {
+    const int width = source_.info().data.width;
+    Buffers& buffers = buffers_.local();
+    decodeRun(band, {0, band.firstRow + row, width, 1}, buffers);
+    return upsampler_.noteNodes(buffers.colors);
+}
+
 void Baking::processBand(Band& band) {
     const ChunkGrid& image = sink_.levels().front();
+    solveNodes(band);
     Buffers& buffers = buffers_.local();
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         const int chunk = band.firstChunk + int(i);
@@ -144,14 +174,20 @@ TexelRow Baking::unroundedRow(const Band& band, int row) {
     return texels;
 }
 
-void Baking::bakeRun(const Band& band, const Window& run, SampleType type, Buffers& buffers,
-                     std::span<std::byte> samples, ColorCensus& census) {
+void Baking::decodeRun(const Band& band, const Window& run, Buffers& buffers) const {
     const TextureInfo& info = source_.info();
     const auto count = std::size_t(run.width);
     buffers.colors.resize(count);
     buffers.alpha.resize(info.alpha ? count : 0);
     source_.decoder.decode(texelsOf(run, band, info, band.stored), count, buffers.colors.data(),
                            buffers.alpha.data());
+}
+
+void Baking::bakeRun(const Band& band, const Window& run, SampleType type, Buffers& buffers,
+                     std::span<std::byte> samples, ColorCensus& census) {
+    const TextureInfo& info = source_.info();
+    const auto count = std::size_t(run.width);
+    decodeRun(band, run, buffers);
     const std::size_t plane = samples.size() / std::size_t(sink_.channelCount());
     if (info.alpha) storeSamples(buffers.alpha, type, samples.data());
     const auto colorPlanes = samples.subspan(info.alpha ? plane : 0);

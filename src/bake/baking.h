@@ -49,6 +49,10 @@ class Baking {
         Upsampler::Workspace upsampling;
         MaterialMap::Buffers mixing;
     };
+    void solveNodes(const Band& band);
+    std::size_t noteNodes(const Band& band, int row);
+    /// Colours and alpha of some neighbours in one row, into the buffers.
+    void decodeRun(const Band& band, const Window& run, Buffers& buffers) const;
     /// Samples of some neighbours in one row, plane by plane.
     void bakeRun(const Band& band, const Window& run, SampleType type, Buffers& buffers,
                  std::span<std::byte> samples, ColorCensus& census);

@@ -70,9 +70,11 @@ struct Outcome {
 
 Outcome solve(const Solver& solver, const Observer& observer, std::span<const XYZ> colors) {
     Outcome outcome;
-    for (const XYZ& color : colors) {
-        const Solution solution = solver.solve(color);
-        const Imath::V3d miss = observer.color(solution.spectrum) - color;
+    std::vector<Solution> solutions(colors.size());
+    solver.solveMany(colors, solutions);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const Solution& solution = solutions[i];
+        const Imath::V3d miss = observer.color(solution.spectrum) - colors[i];
         outcome.add({.failed = solution.solved() ? 0U : 1U,
                      .residual = largestComponent(miss),
                      .violation = boundsViolation(solution.spectrum)});

@@ -23,6 +23,7 @@ double distanceFromBlack(const std::vector<Imath::V3d>& vectors, const Generator
 }  // namespace
 
 FromBlack::FromBlack(const std::vector<Imath::V3d>& vectors) {
+    std::vector<Imath::V3d> caps;
     GeneratorSet lit;
     double blue = 0;
     for (std::size_t j = 0; j < vectors.size(); ++j) {
@@ -34,7 +35,7 @@ FromBlack::FromBlack(const std::vector<Imath::V3d>& vectors) {
         if (distance == 0) {
             cone_.push_back(outward);
         } else {
-            caps_.push_back(outward / distance);
+            caps.push_back(outward / distance);
         }
     };
     for (const SidePair& side : generators().sides) {
@@ -43,13 +44,12 @@ FromBlack::FromBlack(const std::vector<Imath::V3d>& vectors) {
         add(side.below, -side.normal);
     }
     cone_.emplace_back(0, 0, -1);  // the base at Z = 0, whose generators are all in its plane
-    if (blue > 0) caps_.emplace_back(0, 0, 1 / blue);
+    if (blue > 0) caps.emplace_back(0, 0, 1 / blue);
+    caps_ = FaceLevels(caps);
 }
 
 double FromBlack::gauge(const Imath::V3d& t) const {
-    double largest = 0;
-    for (const Imath::V3d& cap : caps_) largest = std::max(largest, cap.dot(t));
-    return largest;
+    return caps_.largestAbove(t);
 }
 
 double FromBlack::depth(const Imath::V3d& t) const {

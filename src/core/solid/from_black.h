@@ -1,5 +1,7 @@
 #pragma once
 
+#include "solid/face_levels.h"
+
 #include <Imath/ImathVec.h>
 
 #include <vector>
@@ -25,7 +27,7 @@ class FromBlack {
 
   private:
     std::vector<Imath::V3d> cone_;  ///< outward unit normals
-    std::vector<Imath::V3d> caps_;  ///< n / H
+    FaceLevels caps_;               ///< n / H
 };
 
 }  // namespace specbake::internal

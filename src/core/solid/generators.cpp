@@ -81,6 +81,9 @@ Generators makeGenerators() {
     std::vector<ExactVector> vectors;
     for (const auto& bands : result.bands) vectors.push_back(tableVector(bands.front()));
     const int count = result.count();
+    for (std::size_t j = 0; j < result.bands.size(); ++j) {
+        for (const int band : result.bands[j]) result.ofBand[std::size_t(band)] = j;
+    }
     result.red = redByAngle(vectors);
     result.isRed.assign(vectors.size(), false);
     for (const int j : result.red) result.isRed[std::size_t(j)] = true;

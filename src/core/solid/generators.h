@@ -4,6 +4,7 @@
 
 #include <Imath/ImathVec.h>
 
+#include <array>
 #include <bitset>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct SidePair {
 /// that parallelism and the sign of each n.w_j follow from the printed table alone. They are
 /// decided in integers: a component is below 2^35, a triple determinant below 2^108.
 struct Generators {
-    std::vector<std::vector<int>> bands;  ///< the bands of each generator, ascending
+    std::vector<std::vector<int>> bands;           ///< the bands of each generator, ascending
+    std::array<std::size_t, kBandCount> ofBand{};  ///< the generator of each band
     std::vector<int> red;         ///< the generators with Z = 0, by ascending angle in the XY plane
     std::vector<bool> isRed;      ///< by generator
     std::vector<SidePair> sides;  ///< every pair that is not red and red: they span the bases

@@ -19,66 +19,77 @@ namespace {
 class ActiveSet {
   public:
     /// Starts from a vertex, best one that is near already.
-    ActiveSet(const std::vector<Imath::V3d>& vectors, const XYZ& target,
-              const GeneratorValues& vertex)
-        : w_(vectors), target_(target), values_(vertex) {}
+    ActiveSet(const std::vector<Imath::V3d>& vectors, const ReleaseRates& rates,
+              const Vertex& vertex)
+        : w_(vectors), rates_(rates), fixedGap_(vertex.gap) {
+        for (std::size_t j = 0; j < w_.size(); ++j) {
+            values_[j] = vertex.ones[j] ? 1 : 0;
+            sides_.value[j] = vertex.ones[j] ? -1 : 1;
+        }
+    }
 
     GeneratorValues solve();
 
   private:
-    static constexpr int kNone = -1;
     using Steps = std::array<double, 3>;
 
     Imath::V3d gap() const;
-    int mostViolating(const Imath::V3d& gap) const;
+    std::size_t mostViolating(const Imath::V3d& gap) const;
+    void release(std::size_t j);
+    void fix(std::size_t place, bool block);
+    void unblock();
     bool leastSquares(const Imath::V3d& gap, Steps& steps) const;
     void moveFree();
     bool moveUntilHit(const Steps& steps);
 
     const std::vector<Imath::V3d>& w_;
-    Imath::V3d target_;
+    const ReleaseRates& rates_;
     GeneratorValues values_{};  ///< exactly 0 or 1 where not free
+    ExactSum fixedGap_;         ///< t − Σ w_j over those fixed at 1
     std::vector<int> free_;
-    GeneratorSet blocked_;  ///< freed without any progress since the last one
+    std::vector<std::size_t> blocked_;  ///< freed without any progress since the last one
+    ReleaseRates::Sides sides_;         ///< 0 for those that are free or blocked
 };
 
 /// t − W s. Near the boundary it is small beside its terms, and its direction decides between faces
-/// that are parallel to 1e-7: hence the compensated sum (A. Neumaier, ZAMM 54, 1974).
+/// that are parallel to 1e-7: hence the sum without roundings, but those of the free s_j w_j.
 Imath::V3d ActiveSet::gap() const {
-    Imath::V3d sum = target_;
-    Imath::V3d lost(0.0);
-    for (std::size_t j = 0; j < w_.size(); ++j) {
-        if (values_[j] == 0) continue;
-        for (int i = 0; i < 3; ++i) {
-            const double term = -values_[j] * w_[j][i];
-            const double next = sum[i] + term;
-            lost[i] += std::abs(sum[i]) >= std::abs(term) ? (sum[i] - next) + term
-                                                          : (term - next) + sum[i];
-            sum[i] = next;
-        }
-    }
-    return sum + lost;
+    ExactSum sum = fixedGap_;
+    for (const int j : free_) sum.add(-values_[std::size_t(j)] * w_[std::size_t(j)]);
+    return sum.rounded();
 }
 
 /// The component at a bound whose release lessens the distance at the greatest rate, beyond doubt:
 /// by more than the rounding of gap·w_j, and of gap itself, where the free s_j w_j are rounded.
-int ActiveSet::mostViolating(const Imath::V3d& gap) const {
+std::size_t ActiveSet::mostViolating(const Imath::V3d& gap) const {
     constexpr double u = std::numeric_limits<double>::epsilon() / 2;
     Imath::V3d rounding(0.0);
     for (const int j : free_) rounding += u * w_[std::size_t(j)];
     for (int i = 0; i < 3; ++i) rounding[i] += 8 * u * std::abs(gap[i]);
-    int worst = kNone;
-    double greatest = 0;
-    for (std::size_t j = 0; j < w_.size(); ++j) {
-        if (std::find(free_.begin(), free_.end(), int(j)) != free_.end()) continue;
-        const double slope = values_[j] == 0 ? gap.dot(w_[j]) : -gap.dot(w_[j]);
-        if (slope <= rounding.dot(w_[j]) || blocked_[j]) continue;
-        const double rate = slope * slope / w_[j].length2();
-        if (rate <= greatest) continue;
-        greatest = rate;
-        worst = int(j);
+    return rates_.fastest(sides_, gap, rounding);
+}
+
+void ActiveSet::release(std::size_t j) {
+    if (values_[j] == 1) fixedGap_.add(w_[j]);
+    sides_.value[j] = 0;
+    free_.push_back(int(j));
+}
+
+/// Of the free components, one that is at a bound.
+void ActiveSet::fix(std::size_t place, bool block) {
+    const auto j = std::size_t(free_[place]);
+    if (values_[j] == 1) fixedGap_.add(-w_[j]);
+    sides_.value[j] = values_[j] == 0 ? 1 : -1;
+    if (block) {
+        sides_.value[j] = 0;
+        blocked_.push_back(j);
     }
-    return worst;
+    free_.erase(free_.begin() + std::ptrdiff_t(place));
+}
+
+void ActiveSet::unblock() {
+    for (const std::size_t j : blocked_) sides_.value[j] = values_[j] == 0 ? 1 : -1;
+    blocked_.clear();
 }
 
 /// The steps of the free components to the nearest point of their plane, or false where they do not
@@ -119,10 +130,9 @@ bool ActiveSet::moveUntilHit(const Steps& steps) {
         double& s = values_[std::size_t(free_[i])];
         s = i == hit ? (steps[i] > 0 ? 1 : 0) : std::clamp(s + fraction * steps[i], 0.0, 1.0);
     }
-    if (fraction > 0) blocked_.reset();
+    if (fraction > 0) unblock();
     if (hit == free_.size()) return false;
-    if (fraction == 0) blocked_[std::size_t(free_[hit])] = true;
-    free_.erase(free_.begin() + std::ptrdiff_t(hit));
+    fix(hit, fraction == 0);
     return true;
 }
 
@@ -131,8 +141,7 @@ void ActiveSet::moveFree() {
     while (!free_.empty()) {
         Steps steps{};
         if (!leastSquares(gap(), steps)) {
-            blocked_[std::size_t(free_.back())] = true;
-            free_.pop_back();
+            fix(free_.size() - 1, true);
             return;
         }
         if (!moveUntilHit(steps)) return;
@@ -144,9 +153,9 @@ GeneratorValues ActiveSet::solve() {
     // limit only cuts off a walk among faces that are equally near to rounding.
     constexpr int limit = 20 * kBandCount;
     for (int round = 0; round < limit && free_.size() < 3; ++round) {
-        const int next = mostViolating(gap());
-        if (next == kNone) break;
-        free_.push_back(next);
+        const std::size_t next = mostViolating(gap());
+        if (next == ReleaseRates::kNone) break;
+        release(next);
         moveFree();
     }
     return values_;
@@ -165,40 +174,59 @@ bool onBase(const GeneratorValues& values, double bound) {
     return !corner;
 }
 
-/// Of the vertex beside the exit point and the one that is farthest in the colour's direction, the
-/// nearer to the colour: the first is good for colours near the solid, the second far from it.
-GeneratorValues startVertex(const std::vector<Imath::V3d>& vectors, const XYZ& color,
-                            const Imath::V3d& fromCenter, const GeneratorValues& exit) {
-    GeneratorValues beside{};
-    GeneratorValues farthest{};
+/// The vertex that is farthest in a direction.
+Vertex farthest(const std::vector<Imath::V3d>& vectors, const XYZ& color,
+                const Imath::V3d& direction) {
+    Vertex vertex{{}, ExactSum(color)};
     for (std::size_t j = 0; j < vectors.size(); ++j) {
-        beside[j] = std::round(exit[j]);
-        farthest[j] = vectors[j].dot(fromCenter) > 0 ? 1 : 0;
+        if (!(vectors[j].dot(direction) > 0)) continue;
+        vertex.ones[j] = true;
+        vertex.gap.add(-vectors[j]);
     }
-    const auto distance2 = [&](const GeneratorValues& values) {
-        return (color - colorOf(vectors, values)).length2();
-    };
-    return distance2(beside) < distance2(farthest) ? beside : farthest;
+    return vertex;
 }
 
 }  // namespace
+
+/// The corner of a face at which its two generators are 0, or, on the other side of the centre, 1.
+Vertex Solid::Data::corner(std::size_t face, bool otherSide, const XYZ& color) const {
+    const SidePair& side = generators().sides[face];
+    Vertex vertex{side.above, ExactSum(color)};
+    if (!otherSide) {
+        vertex.gap.subtract(corners[face]);
+        return vertex;
+    }
+    for (std::size_t j = 0; j < vectors.size(); ++j) vertex.ones[j] = !side.above[j];
+    vertex.gap.subtract(all);
+    vertex.gap.add(corners[face]);
+    return vertex;
+}
+
+/// A vertex to start from. The exit point's face is good for colours near the solid, the vertex
+/// farthest in the colour's direction for those far from it.
+Vertex Solid::Data::near(const XYZ& color, double gauge) const {
+    constexpr double far = 2;
+    const Imath::V3d d = color - center;
+    const std::size_t face = faces.atLeast(gauge, d).front();
+    if (gauge > far || face == corners.size()) return farthest(vectors, color, d);
+    return corner(face, faces.level(face, d) < 0, color);
+}
 
 Solid::Nearest Solid::nearest(const XYZ& color) const {
     const Imath::V3d d = color - data_->center;
     const double r = data_->faces.largest(d);
     if (r <= 1) return {color, 0, std::nullopt};
-    GeneratorValues values = data_->onBoundary(XYZ(data_->center + d / r)).values;
-    if (r > 1 + data_->gaugeError) {
-        values =
-            ActiveSet(data_->vectors, color, startVertex(data_->vectors, color, d, values)).solve();
+    GeneratorValues values =
+        r > 1 + data_->gaugeError
+            ? ActiveSet(data_->vectors, data_->rates, data_->near(color, r)).solve()
+            : data_->onBoundary(XYZ(data_->center + d / r)).values;
+    XYZ point(colorOf(data_->vectors, values));
+    const bool onTop = onBase(values, 1);
+    if (onTop || onBase(values, 0)) {
+        values = onTop ? data_->onTopBase(point).values
+                       : opposite(data_->onTopBase(XYZ(data_->white - point)).values);
+        point = XYZ(colorOf(data_->vectors, values));
     }
-    const XYZ reached(colorOf(data_->vectors, values));
-    if (onBase(values, 1)) {
-        values = data_->onTopBase(reached).values;
-    } else if (onBase(values, 0)) {
-        values = opposite(data_->onTopBase(XYZ(data_->white - reached)).values);
-    }
-    const XYZ point(colorOf(data_->vectors, values));
     return {point, (color - point).length(), Data::expand(values)};
 }
 

@@ -1,3 +1,5 @@
+#include "solve/solve_list.h"
+
 #include <specbake/core/outside.h>
 
 #include <algorithm>
@@ -55,18 +57,30 @@ Attainable attainable(const Solid& solid, const XYZ& asked, Outside rule) {
 }
 
 ColorResolver::Resolved ColorResolver::resolve(const XYZ& asked) const {
-    using enum SolveReport::Status;
-    const Attainable target = attainable(solid_, asked, rule_);
-    Resolved resolved{{}, target.color, target.outside};
-    if (target.outside && rule_ == Outside::error) {
-        resolved.solution.report.status = outside;
-    } else if (target.spectrum) {
-        resolved.solution.spectrum = *target.spectrum;
-        resolved.solution.report.status = solved;
-    } else {
-        resolved.solution = solver_.solve(target.color);
-    }
+    Resolved resolved;
+    resolveMany({&asked, 1}, {&resolved, 1});
     return resolved;
+}
+
+void ColorResolver::resolveMany(std::span<const XYZ> asked, std::span<Resolved> resolved) const {
+    using enum SolveReport::Status;
+    internal::SolveList unsolved;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const Attainable target = attainable(solid_, asked[i], rule_);
+        resolved[i] = {{}, target.color, target.outside};
+        if (target.outside && rule_ == Outside::error) {
+            resolved[i].solution.report.status = outside;
+        } else if (target.spectrum) {
+            resolved[i].solution.spectrum = *target.spectrum;
+            resolved[i].solution.report.status = solved;
+        } else {
+            unsolved.add(i, target.color);
+        }
+    }
+    unsolved.solve(solver_);
+    for (std::size_t k = 0; k < unsolved.size(); ++k) {
+        resolved[unsolved.places[k]].solution = unsolved.solutions[k];
+    }
 }
 
 }  // namespace specbake

@@ -66,13 +66,24 @@ Solid::Data::Data(const Observer& observer) : white(observer.white()), center(wh
     base = BasePolygon(std::move(edges));
     const Imath::V3d top = white - redSum / 2;
     topCenter = {top.x, top.y};
+    rates = ReleaseRates(vectors);
     makeFaces();
     fromBlack = FromBlack(vectors);
 }
 
+ExactSum Solid::Data::sumOf(const GeneratorSet& set) const {
+    ExactSum sum;
+    for (std::size_t j = 0; j < vectors.size(); ++j) {
+        if (set[j]) sum.add(vectors[j]);
+    }
+    return sum;
+}
+
 void Solid::Data::makeFaces() {
+    all = sumOf(GeneratorSet().set());
     std::vector<Imath::V3d> directions;
     for (const SidePair& side : generators().sides) {
+        corners.push_back(sumOf(side.above));
         const bool dark = vectors[std::size_t(side.first)].length2() == 0 ||
                           vectors[std::size_t(side.second)].length2() == 0;
         // A band without light makes no faces: a normal of 0 is never the largest.
@@ -92,18 +103,14 @@ void Solid::Data::makeFaces() {
     gaugeError = (8 + 6 + 81) * u * center.length() / inscribed;
 }
 
-Solid::Data::FacePoint Solid::Data::onSide(const SidePair& side, const XYZ& point) const {
+Solid::Data::FacePoint Solid::Data::onSide(std::size_t face, const XYZ& point) const {
+    const SidePair& side = generators().sides[face];
     FacePoint result;
-    Imath::V3d corner(0.0);
-    for (std::size_t j = 0; j < vectors.size(); ++j) {
-        if (!side.above[j]) continue;
-        result.values[j] = 1;
-        corner += vectors[j];
-    }
+    for (std::size_t j = 0; j < vectors.size(); ++j) result.values[j] = side.above[j] ? 1 : 0;
     const auto first = std::size_t(side.first);
     const auto second = std::size_t(side.second);
-    const OnParallelogram p =
-        nearestOnParallelogram(point - corner, vectors[first], vectors[second], side.normal);
+    const OnParallelogram p = nearestOnParallelogram(point - corners[face].high(), vectors[first],
+                                                     vectors[second], side.normal);
     result.values[first] = p.alpha;
     result.values[second] = p.beta;
     result.error = std::sqrt(p.error2);
@@ -133,7 +140,7 @@ Solid::Data::FacePoint Solid::Data::onBoundary(const XYZ& boundary) const {
     for (const std::size_t face : faces.atLeast(1 - 2 * gaugeError, d)) {
         const double v = faces.level(face, d);
         const XYZ point = v > 0 ? boundary : XYZ(white - boundary);
-        FacePoint found = face == g.sides.size() ? onTopBase(point) : onSide(g.sides[face], point);
+        FacePoint found = face == g.sides.size() ? onTopBase(point) : onSide(face, point);
         if (found.error >= best.error) continue;
         if (v < 0) found.values = opposite(found.values);
         best = found;
@@ -149,11 +156,9 @@ Imath::V3d internal::colorOf(const std::vector<Imath::V3d>& vectors,
 }
 
 Spectrum Solid::Data::expand(const GeneratorValues& values) {
-    const Generators& g = generators();
+    const std::array<std::size_t, kBandCount>& generator = generators().ofBand;
     Spectrum spectrum;
-    for (std::size_t j = 0; j < g.bands.size(); ++j) {
-        for (const int band : g.bands[j]) spectrum[std::size_t(band)] = values[j];
-    }
+    for (std::size_t m = 0; m < spectrum.size(); ++m) spectrum[m] = values[generator[m]];
     return spectrum;
 }
 

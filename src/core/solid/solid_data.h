@@ -1,9 +1,11 @@
 #pragma once
 
 #include "solid/base_polygon.h"
+#include "solid/exact_sum.h"
 #include "solid/face_levels.h"
 #include "solid/from_black.h"
 #include "solid/generators.h"
+#include "solid/release_rates.h"
 
 #include <specbake/core/solid.h>
 
@@ -17,6 +19,12 @@ using GeneratorValues = std::array<double, kBandCount>;
 
 /// W s
 Imath::V3d colorOf(const std::vector<Imath::V3d>& vectors, const GeneratorValues& values);
+
+/// A vertex of the solid, and the exact way from it to a colour.
+struct Vertex {
+    GeneratorSet ones;
+    ExactSum gap;
+};
 
 /// 1 − s, the spectrum of the point opposite.
 GeneratorValues opposite(const GeneratorValues& values);
@@ -32,6 +40,7 @@ struct Solid::Data {
     XYZ white;
     XYZ center;
     std::vector<Imath::V3d> vectors;  ///< the generators, each the sum of its bands' w_m
+    internal::ReleaseRates rates;     ///< of `vectors`
     internal::BasePolygon base;
     Imath::V2d topCenter;  ///< of the base at Z = max, in XY
 
@@ -53,9 +62,19 @@ struct Solid::Data {
 
     /// The chosen values of a point of the base at Z = max.
     FacePoint onTopBase(const XYZ& point) const;
-    FacePoint onSide(const internal::SidePair& side, const XYZ& point) const;
+    /// Of a point of one of generators().sides.
+    FacePoint onSide(std::size_t face, const XYZ& point) const;
+
+    /// The corner of each of generators().sides at which its two generators are 0.
+    std::vector<internal::ExactSum> corners;
+    internal::ExactSum all;  ///< Σ w_j
+
+    /// A vertex of the solid from which the nearest point to a colour outside is not far.
+    internal::Vertex near(const XYZ& color, double gauge) const;
 
   private:
+    internal::ExactSum sumOf(const internal::GeneratorSet& set) const;
+    internal::Vertex corner(std::size_t face, bool otherSide, const XYZ& color) const;
     void makeFaces();
 };
 

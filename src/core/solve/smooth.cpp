@@ -1,7 +1,6 @@
 #include "solve/smooth.h"
 
 #include "solve/grey.h"
-#include "solve/smooth_lanes.h"
 
 #include <vector>
 
@@ -16,13 +15,13 @@ Solution SmoothSolver::solve(const XYZ& color) const {
 void SmoothSolver::solveMany(std::span<const XYZ> colors, std::span<Solution> solutions) const {
     std::vector<std::size_t> chromatic;
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        if (const auto grey = greySolution(observer_, colors[i])) {
+        if (const auto grey = greySolution(model_.observer, colors[i])) {
             solutions[i] = *grey;
         } else {
             chromatic.push_back(i);
         }
     }
-    solveInLanes(observer_, colors, chromatic, solutions);
+    solveInLanes(model_, colors, chromatic, solutions);
     for (const std::size_t i : chromatic) {
         if (!solutions[i].solved()) solutions[i] = scalar_.approach(colors[i]);
     }

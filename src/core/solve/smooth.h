@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solve/smooth_lanes.h"
 #include "solve/smooth_scalar.h"
 
 #include <specbake/core/observer.h>
@@ -20,14 +21,14 @@ namespace specbake::internal {
 /// as failed: see shell.h, which never fails.
 class SmoothSolver : public Solver {
   public:
-    explicit SmoothSolver(const Observer& observer) : observer_(observer), scalar_(observer) {}
+    explicit SmoothSolver(const Observer& observer) : model_(observer), scalar_(observer) {}
 
     /// `solved`: residual <= 1e-12 max(X, Y, Z), to rounding.
     Solution solve(const XYZ& color) const override;
     void solveMany(std::span<const XYZ> colors, std::span<Solution> solutions) const override;
 
   private:
-    Observer observer_;
+    LaneModel model_;
     ScalarSmoothSolver scalar_;
 };
 

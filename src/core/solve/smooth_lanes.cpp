@@ -90,9 +90,9 @@ HWY_INLINE std::array<Vector, 4> solveDense(Dense rows) {
 /// The iteration of kLanes colours, and their places among all.
 class Iteration {
   public:
-    Iteration(const Observer& observer, std::span<const XYZ> colors,
+    Iteration(const LaneModel& model, std::span<const XYZ> colors,
               std::span<const std::size_t> places, std::span<Solution> solutions)
-        : weights_(observer.weights()), colors_(colors), places_(places), solutions_(solutions) {}
+        : model_(model), colors_(colors), places_(places), solutions_(solutions) {}
 
     void run() {
         for (std::size_t lane = 0; lane < kLanes; ++lane) refill(lane);
@@ -105,20 +105,19 @@ class Iteration {
     }
 
   private:
-    /// The next colour, from the grey of its luminance; if none is left, the lane idles.
+    /// The next colour, from where its first step leads; if none is left, the lane idles.
     void refill(std::size_t lane) {
         place_[lane] = colors_.size();
         if (next_ == places_.size()) return;
         place_[lane] = places_[next_++];
         const XYZ& color = colors_[place_[lane]];
-        const double luminance = std::clamp(color.y, kLeastLuminance, 1 - kLeastLuminance);
-        const double start = 0.5 * std::log(luminance / (1 - luminance));
-        for (Lanes& z : z_) z.value[lane] = start;
+        const FirstStep::Point start = model_.firstStep.from(color);
+        for (std::size_t m = 0; m < kBandCount; ++m) z_[m].value[lane] = start.z[m];
         for (std::size_t c = 0; c < 3; ++c) {
             target_[c].value[lane] = color[int(c)];
-            multiplier_[c].value[lane] = 0;
+            multiplier_[c].value[lane] = start.multipliers[int(c)];
         }
-        iterations_[lane] = 0;
+        iterations_[lane] = 1;
         fresh_[lane] = true;
         ++busy_;
     }
@@ -203,8 +202,9 @@ class Iteration {
     /// A band's row of (M6), and its diagonal; adds its part to the sums over all bands.
     HWY_INLINE Row rowOf(std::size_t m, double neighbours, Vector& diagonal, Vector& steepest) {
         const Vector ds = slope_[m].load();
-        const std::array<Vector, 3> w = {constant(weights_[m].x), constant(weights_[m].y),
-                                         constant(weights_[m].z)};
+        const Imath::V3d& weight = model_.observer.weights()[m];
+        const std::array<Vector, 3> w = {constant(weight.x), constant(weight.y),
+                                         constant(weight.z)};
         Vector pull = hn::Mul(w[0], multiplier_[0].load());
         pull = hn::MulAdd(w[1], multiplier_[1].load(), pull);
         pull = hn::MulAdd(w[2], multiplier_[2].load(), pull);
@@ -267,9 +267,7 @@ class Iteration {
         Solution& solution = solutions_[place_[lane]];
         for (std::size_t m = 0; m < kBandCount; ++m) solution.spectrum[m] = s_[m].value[lane];
         using enum SolveReport::Status;
-        solution.report = {.status = converged ? solved : failed,
-                           .residual = residual_.value[lane],
-                           .iterations = iterations_[lane]};
+        solution.report = {converged ? solved : failed, residual_.value[lane], iterations_[lane]};
         --busy_;
         refill(lane);
     }
@@ -312,7 +310,7 @@ class Iteration {
         return {x_[m].load(), y_[m].load(), zRow_[m].load(), right_[m].load()};
     }
 
-    const std::array<Imath::V3d, kBandCount>& weights_;
+    const LaneModel& model_;
     std::span<const XYZ> colors_;
     std::span<const std::size_t> places_;
     std::span<Solution> solutions_;
@@ -327,9 +325,9 @@ class Iteration {
     Lanes residual_, steepest_, longest_;
 };
 
-void solveColors(const Observer& observer, std::span<const XYZ> colors,
+void solveColors(const LaneModel& model, std::span<const XYZ> colors,
                  std::span<const std::size_t> places, std::span<Solution> solutions) {
-    Iteration(observer, colors, places, solutions).run();
+    Iteration(model, colors, places, solutions).run();
 }
 
 }  // namespace
@@ -342,9 +340,9 @@ namespace {
 HWY_EXPORT(solveColors);
 }  // namespace
 
-void solveInLanes(const Observer& observer, std::span<const XYZ> colors,
+void solveInLanes(const LaneModel& model, std::span<const XYZ> colors,
                   std::span<const std::size_t> places, std::span<Solution> solutions) {
-    HWY_DYNAMIC_DISPATCH(solveColors)(observer, colors, places, solutions);
+    HWY_DYNAMIC_DISPATCH(solveColors)(model, colors, places, solutions);
 }
 
 }  // namespace specbake::internal

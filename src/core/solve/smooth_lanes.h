@@ -1,5 +1,7 @@
 #pragma once
 
+#include "solve/first_step.h"
+
 #include <specbake/core/observer.h>
 #include <specbake/core/solver.h>
 
@@ -7,6 +9,14 @@
 #include <span>
 
 namespace specbake::internal {
+
+/// What all colours share.
+struct LaneModel {
+    explicit LaneModel(const Observer& itsObserver) : observer(itsObserver), firstStep(observer) {}
+
+    Observer observer;
+    FirstStep firstStep;
+};
 
 /// The Newton iteration of (M6) for many colours at once, a colour in each lane of the processor's
 /// registers; a lane that is done takes the next colour.
@@ -19,7 +29,7 @@ namespace specbake::internal {
 /// `places`: which of the colours are to be solved; none of these is a grey. `solutions[i]` is
 /// written where Newton converges from the grey of the same luminance, and its status is `solved`;
 /// else the status is `failed`, and ScalarSmoothSolver::approach() may yet solve it.
-void solveInLanes(const Observer& observer, std::span<const XYZ> colors,
+void solveInLanes(const LaneModel& model, std::span<const XYZ> colors,
                   std::span<const std::size_t> places, std::span<Solution> solutions);
 
 }  // namespace specbake::internal

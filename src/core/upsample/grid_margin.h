@@ -28,15 +28,18 @@ class GridMargin {
     float at(const GridSimplex& simplex);
 
   private:
-    bool isInside(int i, int j, int k) const;
-    bool neighborhoodIsInside(std::uint32_t node) const;
+    enum Knowledge : std::uint8_t { inside = 1, outside = 2, trusted = 4, doubtful = 8 };
+
+    bool isInside(int i, int j, int k);
+    bool neighborhoodIsInside(std::uint32_t node);
     float ofNode(std::uint32_t node);
 
     const Grid& grid_;
     Imath::M33d xyzFromGrid_;
     const Solid& solid_;
     bool wholeCube_;  ///< the solid is convex: it holds the cube if it holds the corners
-    std::unique_ptr<std::atomic<std::uint8_t>[]> known_;  ///< 0: not looked at; 1 + margin
+    /// Of each node, what is known: bits of Knowledge.
+    std::unique_ptr<std::atomic<std::uint8_t>[]> known_;
 };
 
 }  // namespace specbake::internal

@@ -1,31 +1,23 @@
 #pragma once
 
-#include "upsample/blend.h"
-#include "upsample/fill.h"
-#include "upsample/grid_margin.h"
-#include "upsample/spectrum_cache.h"
+#include "upsample/lattice.h"
+#include "upsample/lookup_spaces.h"
+#include "upsample/texel_solver.h"
 
 #include <specbake/core/color_census.h>
 #include <specbake/core/outside.h>
 
 #include <array>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace specbake::internal {
 
-/// Where texels stand: the linear space of the texture, and the cube that the grid divides.
-struct LookupSpaces {
-    Imath::M33d xyzFromTexel;
-    Imath::M33d xyzFromGrid;
-    bool sameSpace() const { return xyzFromTexel == xyzFromGrid; }
-};
-
 /// Finds each texel's spectrum: in the grid where its cell lies in the solid, solved by itself
-/// elsewhere, and a blend of both in the cells between. Just outside the grid's cube, the
-/// difference between both fades out, so that there is no step at its faces. Any number of threads
-/// may share it.
+/// elsewhere, and a blend of both in the cells between. Any number of threads may share it.
 class SpectrumLookup {
   public:
     /// `gridNodes`: none to solve every texel by itself. The resolver must outlive the lookup.
@@ -34,50 +26,52 @@ class SpectrumLookup {
 
     /// Spectra of texels that are not blends of grid nodes; what Mix points to stays put.
     using Scratch = std::deque<SolvedTexel>;
-    using Color = std::array<float, 3>;
+    using Color = LookupSpaces::Color;
 
     /// The mixes of a run of texels, numbered from 0 in the census. A texel that has no spectrum
-    /// counts there and gets that of black.
+    /// counts there and gets that of black. What the run needs that is not known is solved
+    /// together, some thousands at a time.
     void locate(std::span<const Color> colors, std::span<Mix> mixes, Scratch& scratch,
                 ColorCensus& census);
 
-    void solveNodes();
+    /// Notes the nodes that these texels need and nobody has asked for.
+    void noteNodes(std::span<const Color> colors);
+    void noteAllNodes();
+    std::size_t notedCount() const { return lattice_ ? lattice_->store.notedCount() : 0; }
+    /// Solves noted nodes until none is left; any number of threads may help.
+    void solveNotedNodes();
+
     std::size_t nodesSolved() const { return lattice_ ? lattice_->store.foundCount() : 0; }
 
   private:
-    struct Lattice {
-        Lattice(int nodes, const Imath::M33d& xyzFromGrid, const ColorResolver& resolver);
-        Grid grid;
-        GridMargin margin;
-        NodeStore store;
+    static constexpr std::size_t kRun = 64;         ///< its places may stand on the stack
+    static constexpr std::size_t kTogether = 2048;  ///< at most so many are solved together
+
+    /// The places of a run in the grid.
+    struct Places {
+        std::array<Color, kRun> points;
+        std::array<std::array<std::uint32_t, 4>, kRun> nodes;
+        std::array<std::array<float, 4>, kRun> weights;
+        std::array<bool, kRun> inCube;
     };
-    struct Place {
-        Mix mix;
-        float margin = 0;  ///< of the grid's mix; the rest is to be solved
-    };
+    void placesOf(std::span<const Color> colors, Places& places) const;
+    void locateTogether(std::span<const Color> colors, Mix* mixes, Scratch& scratch,
+                        ColorCensus& census);
+    void locateRun(std::span<const Color> colors, std::size_t first, Mix* mixes,
+                   std::vector<std::size_t>& missing);
+    /// A colour's mix; where it is not the grid's alone, with what was solved.
     struct Found {
         Mix mix;
-        const SolvedTexel* solved = nullptr;  ///< none: a blend of the grid's nodes alone
+        const SolvedTexel* solved = nullptr;
     };
-
-    static constexpr std::size_t kRun = 64;
-
-    void locateRun(std::span<const Color> colors, Mix* mixes, Scratch& scratch,
-                   ColorCensus& census);
-    Color gridPoint(const Color& color) const;
-    Place placeInGrid(const Color& point);
-    Found find(const Color& color, Scratch& scratch);
-    SolvedTexel solve(const Color& color);
-    SolvedTexel solveAnew(const Color& color);
-    SolvedTexel solveColor(const XYZ& asked) const;
-    void addFaceStep(const Color& point, NodeValues& values);
+    std::vector<Found> find(std::span<const Color> colors, Scratch& scratch);
+    std::vector<Lattice::Place> placesInGrid(std::span<const Color> colors);
+    void findMissing(std::span<const Color> colors, std::span<const std::size_t> missing,
+                     Mix* mixes, Scratch& scratch, ColorCensus& census);
 
     LookupSpaces spaces_;
-    std::optional<Imath::M33d> gridFromTexel_;
-    const ColorResolver& resolver_;
-    NodeEncoder encoder_;
-    SpectrumCache cache_;
     std::unique_ptr<Lattice> lattice_;
+    TexelSolver texels_;
 };
 
 }  // namespace specbake::internal

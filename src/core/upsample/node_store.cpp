@@ -17,7 +17,7 @@ NodeValues* reserve(std::size_t count) {
     return static_cast<NodeValues*>(memory);
 }
 
-void release(NodeValues* values) {
+void freeValues(NodeValues* values) {
     std::free(values);
 }
 
@@ -25,36 +25,65 @@ void release(NodeValues* values) {
 
 NodeStore::NodeStore(std::size_t nodeCount, Finder finder)
     : finder_(std::move(finder)),
-      state_(std::make_unique<std::atomic<std::uint8_t>[]>(nodeCount)),
-      values_(reserve(nodeCount), release) {}
+      state_(std::make_unique<std::atomic<State>[]>(nodeCount)),
+      values_(reserve(nodeCount), freeValues) {}
 
-const float* NodeStore::findOrWait(std::uint32_t node) {
-    std::uint8_t state = state_[node].load(std::memory_order_acquire);
-    if (state == unknown) {
-        find(node);
-        state = state_[node].load(std::memory_order_acquire);
-    }
-    while (state == arriving) {  // another thread is copying 384 bytes
-        std::this_thread::yield();
-        state = state_[node].load(std::memory_order_acquire);
-    }
-    return state == present ? values_[node].value.data() : nullptr;
+void NodeStore::claim(std::uint32_t node) {
+    State expected = State::unknown;
+    if (!state_[node].compare_exchange_strong(expected, State::noted)) return;
+    const std::lock_guard lock(mutex_);
+    noted_.push_back(node);
 }
 
-bool NodeStore::findOrWait(const Simplex& nodes, std::array<const float*, 4>& values) {
-    for (std::size_t k = 0; k < 4; ++k) values[k] = findOrWait(nodes[k]);
-    return std::find(values.begin(), values.end(), nullptr) == values.end();
+std::size_t NodeStore::notedCount() const {
+    const std::lock_guard lock(mutex_);
+    return noted_.size();
 }
 
-/// Two threads may both find a node; the first to arrive stores it, and both found the same.
-void NodeStore::find(std::uint32_t node) {
-    NodeValues values;
-    const bool there = finder_(node, values);
-    std::uint8_t expected = unknown;
-    if (!state_[node].compare_exchange_strong(expected, arriving)) return;
-    if (there) values_[node] = values;
-    state_[node].store(there ? present : absent, std::memory_order_release);
-    ++found_;
+std::vector<std::uint32_t> NodeStore::takeSome() {
+    const std::lock_guard lock(mutex_);
+    const std::size_t left = noted_.size() - std::min(noted_.size(), kTogether);
+    std::vector<std::uint32_t> some(noted_.begin() + std::ptrdiff_t(left), noted_.end());
+    noted_.resize(left);
+    return some;
+}
+
+/// Finds some of the noted nodes; false if there are none.
+bool NodeStore::findSome() {
+    const std::vector<std::uint32_t> nodes = takeSome();
+    if (nodes.empty()) return false;
+    std::vector<NodeValues> values(nodes.size());
+    std::vector<std::uint8_t> there(nodes.size());
+    try {
+        finder_(nodes, values, there);
+    } catch (...) {  // or who waits for these would wait for ever
+        for (const std::uint32_t node : nodes) state_[node].store(State::unknown);
+        throw;
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (there[i] != 0) values_[nodes[i]] = values[i];
+        state_[nodes[i]].store(there[i] != 0 ? State::present : State::absent,
+                               std::memory_order_release);
+    }
+    found_ += nodes.size();
+    return true;
+}
+
+/// While another thread finds the node, this one finds what else is noted.
+NodeStore::State NodeStore::findOrWait(std::uint32_t node) {
+    for (;;) {
+        const State state = state_[node].load(std::memory_order_acquire);
+        if (state == State::present || state == State::absent) return state;
+        note(node);
+        if (!findSome()) std::this_thread::yield();
+    }
+}
+
+bool NodeStore::at(const Simplex& nodes, std::array<const float*, 4>& values) {
+    if (present(nodes, values)) return true;
+    bool all = true;
+    for (const std::uint32_t node : nodes) all &= findOrWait(node) == State::present;
+    return all;
 }
 
 }  // namespace specbake::internal

@@ -136,7 +136,7 @@ const std::vector<std::string>& Upsampler::notes() const {
 }
 
 XYZ Upsampler::xyz(const RGB& color) const {
-    return XYZ(color * parts_->spaces.xyzFromTexel);
+    return XYZ(color * parts_->spaces.xyzFromTexel());
 }
 
 XYZ Upsampler::xyz(const Color& color) const {
@@ -191,7 +191,17 @@ std::vector<float> Upsampler::sample(std::span<const Color> colors,
 }
 
 void Upsampler::solveNodes() const {
-    parts_->lookup.solveNodes();
+    parts_->lookup.noteAllNodes();
+    parts_->lookup.solveNotedNodes();
+}
+
+std::size_t Upsampler::noteNodes(std::span<const Color> colors) const {
+    parts_->lookup.noteNodes(colors);
+    return parts_->lookup.notedCount();
+}
+
+void Upsampler::solveNotedNodes() const {
+    parts_->lookup.solveNotedNodes();
 }
 
 std::size_t Upsampler::nodesSolved() const {

@@ -37,7 +37,7 @@ std::vector<Solution> solved(const Observer& observer, const std::vector<XYZ>& c
     std::vector<Solution> solutions(colors.size());
     std::vector<std::size_t> places(colors.size());
     std::iota(places.begin(), places.end(), 0);
-    solveInLanes(observer, colors, places, solutions);
+    solveInLanes(LaneModel(observer), colors, places, solutions);
     return solutions;
 }
 

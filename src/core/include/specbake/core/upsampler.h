@@ -102,6 +102,14 @@ class SPECBAKE_API Upsampler {
     /// needed.
     void solveNodes() const;
 
+    /// Notes the nodes of the grid that these colours need and that were not asked for before;
+    /// returns how many are noted now, from whichever call, and not yet taken by a thread. sample()
+    /// solves what it needs by itself: this is for callers who have many colours, or many threads.
+    std::size_t noteNodes(std::span<const Color> colors) const;
+    /// Solves noted nodes, some dozens at a time, until none is left to take. Several threads that
+    /// call it share the work.
+    void solveNotedNodes() const;
+
     /// How many nodes were looked at so far.
     std::size_t nodesSolved() const;
 
