@@ -23,6 +23,7 @@ namespace {
 constexpr int kPiece = 64;
 
 const BakeOptions& checked(const BakeOptions& options) {
+    if (options.materialMap) throw ArgumentError("a material map is for baked files only");
     std::string reason;
     if (!options.isValid(&reason)) throw ArgumentError(reason);
     return options;

@@ -76,8 +76,13 @@ constexpr Option kOptions[] = {
     {"orient", [](Recipe& r, std::string_view v) { r.options.read.orient = yesOrNo(v); }},
     {"space", [](Recipe& r, std::string_view v) { r.options.space = v; }},
     {"illuminant", [](Recipe& r, std::string_view v) { r.options.model.illuminant = v; }},
-    {"method", [](Recipe& r, std::string_view v) { r.options.model.method = v; }},
+    {"method",
+     [](Recipe& r, std::string_view v) {
+         r.options.model.method = v;
+         r.methodGiven = true;
+     }},
     {"outside", [](Recipe& r, std::string_view v) { setOutside(r.options, v); }},
+    {"material", [](Recipe& r, std::string_view v) { r.options.model.material = v; }},
     {"grid", [](Recipe& r, std::string_view v) { r.options.model.grid = numberOf<int>(v); }},
     {"per-texel",
      [](Recipe& r, std::string_view v) {
@@ -144,6 +149,8 @@ void setOption(Recipe& recipe, std::string_view name, std::string_view value) {
         throw ArgumentError("no option '" + std::string(name) + "'; there are " + optionNames());
     }
     option->set(recipe, value);
+    BakeOptions& options = recipe.options;
+    if (options.model.material && !recipe.methodGiven) options.model.method = "natural";
 }
 
 void forEachOption(const std::function<void(std::string_view)>& take) {

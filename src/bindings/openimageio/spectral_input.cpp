@@ -22,14 +22,17 @@ void applyHints(Recipe& recipe, const OIIO::ImageSpec& config) {
     });
 }
 
-/// A tile's rows to where they belong in a larger region.
+/// A tile's rows to where they belong in a region, as far as they lie in it.
 void copyRows(std::span<const std::byte> from, const Window& tile, const Window& region,
               std::size_t pixelBytes, std::byte* to) {
     const std::size_t rowBytes = std::size_t(tile.width) * pixelBytes;
-    for (int y = 0; y < tile.height; ++y) {
+    const int columns = std::min(tile.width, region.x + region.width - tile.x);
+    const int rows = std::min(tile.height, region.y + region.height - tile.y);
+    for (int y = 0; y < rows; ++y) {
         const std::size_t pixel = std::size_t(tile.y + y - region.y) * std::size_t(region.width) +
                                   std::size_t(tile.x - region.x);
-        std::memcpy(to + pixel * pixelBytes, from.data() + std::size_t(y) * rowBytes, rowBytes);
+        std::memcpy(to + pixel * pixelBytes, from.data() + std::size_t(y) * rowBytes,
+                    std::size_t(columns) * pixelBytes);
     }
 }
 
@@ -103,6 +106,31 @@ OIIO::ImageSpec SpectralInput::spec_dimensions(int subimage, int miplevel) {
     return dimensions;
 }
 
+bool SpectralInput::read_tiles(int subimage, int miplevel, int xbegin, int xend, int ybegin,
+                               int yend, int zbegin, int zend, int chbegin, int chend,
+                               OIIO::TypeDesc format, void* data, OIIO::stride_t xstride,
+                               OIIO::stride_t ystride, OIIO::stride_t zstride) {
+    if (!exists(subimage, miplevel)) return false;
+    const OIIO::ImageSpec& level = specs_[std::size_t(miplevel)];
+    const int width = xend - xbegin;
+    const int height = yend - ybegin;
+    if (width % level.tile_width == 0 && height % level.tile_height == 0) {
+        return ImageInput::read_tiles(subimage, miplevel, xbegin, xend, ybegin, yend, zbegin, zend,
+                                      chbegin, chend, format, data, xstride, ystride, zstride);
+    }
+    const int channels = std::clamp(chend, 0, level.nchannels) - chbegin;
+    if (width <= 0 || height <= 0 || channels <= 0) return false;
+    if (format == OIIO::TypeUnknown) format = level.format;
+    std::vector<std::byte> samples(std::size_t(width) * std::size_t(height) *
+                                   std::size_t(channels) * level.format.size());
+    OIIO::ImageSpec::auto_stride(xstride, ystride, zstride, format, channels, width, height);
+    return read_native_tiles(subimage, miplevel, xbegin, xend, ybegin, yend, zbegin, zend, chbegin,
+                             chbegin + channels, samples.data()) &&
+           OIIO::convert_image(channels, width, height, 1, samples.data(), level.format,
+                               OIIO::AutoStride, OIIO::AutoStride, OIIO::AutoStride, data, format,
+                               xstride, ystride, zstride);
+}
+
 bool SpectralInput::read_native_scanline(int /*subimage*/, int /*miplevel*/, int /*y*/, int /*z*/,
                                          void* /*data*/) {
     errorfmt("a spectral image is read by tiles");
@@ -128,9 +156,10 @@ bool SpectralInput::read_native_tiles(int subimage, int miplevel, int xbegin, in
     if (!exists(subimage, miplevel)) return false;
     const OIIO::ImageSpec& level = specs_[std::size_t(miplevel)];
     chend = std::clamp(chend, 0, level.nchannels);
-    if (chbegin < 0 || chbegin >= chend || xbegin < level.x || ybegin < level.y || xend <= xbegin ||
-        yend <= ybegin) {
-        errorfmt("no such pixels or channels");
+    const bool atTile = xbegin >= level.x && (xbegin - level.x) % level.tile_width == 0 &&
+                        ybegin >= level.y && (ybegin - level.y) % level.tile_height == 0;
+    if (chbegin < 0 || chbegin >= chend || xend <= xbegin || yend <= ybegin || !atTile) {
+        errorfmt("no such tiles or channels");
         return false;
     }
     try {

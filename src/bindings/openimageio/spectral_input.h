@@ -28,6 +28,11 @@ class SpectralInput final : public OIIO::ImageInput {
     bool seek_subimage(int subimage, int miplevel) override;
     OIIO::ImageSpec spec(int subimage, int miplevel) override;
     OIIO::ImageSpec spec_dimensions(int subimage, int miplevel) override;
+    /// Where the image's edge cuts tiles, OpenImageIO's own would read all their channels.
+    bool read_tiles(int subimage, int miplevel, int xbegin, int xend, int ybegin, int yend,
+                    int zbegin, int zend, int chbegin, int chend, OIIO::TypeDesc format, void* data,
+                    OIIO::stride_t xstride, OIIO::stride_t ystride,
+                    OIIO::stride_t zstride) override;
     bool read_native_scanline(int subimage, int miplevel, int y, int z, void* data) override;
     bool read_native_tile(int subimage, int miplevel, int x, int y, int z, void* data) override;
     bool read_native_tiles(int subimage, int miplevel, int xbegin, int xend, int ybegin, int yend,

@@ -121,6 +121,12 @@ void checkSameImage(const std::string& computed, const std::string& baked) {
     }
     CHECK(!ours->seek_subimage(0, level));
     CHECK(!ours->seek_subimage(1, 0));
+    std::byte nothing{};
+    const int x = ours->spec(0, 0).x;
+    const int y = ours->spec(0, 0).y;
+    CHECK(!ours->read_native_tiles(0, 0, x + 1, x + 2, y, y + 1, 0, 1, 0, 1, &nothing));
+    CHECK(!ours->read_native_tiles(0, 0, x - 64, x, y, y + 1, 0, 1, 0, 1, &nothing));
+    CHECK(!ours->read_native_tiles(0, 0, x, x + 1, y, y + 1, 0, 1, 3, 3, &nothing));
 }
 
 }  // namespace
@@ -163,6 +169,11 @@ TEST_CASE("options of a text file are those of a bake") {
     checkSameImage(stand.recipe("b.spectral", source + "bits = 6\nspace = lin_rec709\n"
                                                        "channels = G\ngrid = 9\nmipmap = no\n"),
                    stand.baked(kImages + "rgba8.png", few));
+    BakeOptions skin;
+    skin.model.material = "skin";
+    skin.model.method = "natural";
+    checkSameImage(stand.recipe("d.spectral", source + "material = skin\nmipmap = no\n"),
+                   stand.baked(kImages + "rgba8.png", skin));
     BakeOptions chosen;
     chosen.maxDE = 0.3;
     chosen.maxDeviation = 0.01;

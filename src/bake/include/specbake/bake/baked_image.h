@@ -24,7 +24,7 @@ struct BakedImageMemory {
 /// asked for are not computed, unless a preview channel is. Any number of threads may share one.
 class SPECBAKE_API BakedImage {
   public:
-    /// Throws what bake() throws before its first row.
+    /// Throws what bake() throws before its first row, and ArgumentError for a material map.
     BakedImage(std::unique_ptr<Texture> texture, const BakeOptions& options,
                const BakedImageMemory& memory = {});
     ~BakedImage();
