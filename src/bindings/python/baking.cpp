@@ -72,15 +72,16 @@ BakeStatistics bakeIt(const py::object& source, const Path& output, const BakeOp
 
 BakeStatistics bakeWithArguments(
     const py::object& source, const Path& output, const std::optional<std::string>& space,
-    const std::optional<std::string>& light, const std::string& method, const std::string& outside,
-    std::optional<int> grid, std::optional<double> maxDeviation, int bits,
+    const std::optional<std::string>& light, const std::optional<std::string>& method,
+    const std::string& outside, std::optional<int> grid, const std::optional<std::string>& material,
+    const std::optional<Path>& samples, std::optional<double> maxDeviation, int bits,
     std::optional<double> maxDE, const py::object& dtype, const std::string& compression, int level,
     std::optional<std::pair<int, int>> tile, bool mipmap, const std::vector<std::string>& channels,
     const py::object& part, bool orient, int threads, const py::object& progress) {
     BakeOptions options;
     options.read = readOptions(channels, part, orient);
     options.space = space;
-    options.model = modelOptions(light, method, outside, grid);
+    options.model = modelOptions(light, method, outside, grid, material, samples);
     options.maxDeviation = maxDeviation;
     options.bits = bits;
     options.maxDE = maxDE;
@@ -172,9 +173,10 @@ void addBaking(py::module_& module) {
     const RelightOptions r;
     module.def("bake", &bakeWithArguments, py::arg("source"), py::arg("output"), py::kw_only(),
                py::arg("space") = b.space, py::arg("light") = b.model.illuminant,
-               py::arg("method") = b.model.method,
+               py::arg("method") = py::none(),
                py::arg("outside") = std::string(outsideName(b.model.outside)),
-               py::arg("grid") = b.model.grid, py::arg("max_deviation") = b.maxDeviation,
+               py::arg("grid") = b.model.grid, py::arg("material") = b.model.material,
+               py::arg("samples") = py::none(), py::arg("max_deviation") = b.maxDeviation,
                py::arg("bits") = b.bits, py::arg("max_de") = b.maxDE, py::arg("dtype") = "float16",
                py::arg("compression") = std::string(compressionName(s.compression)),
                py::arg("level") = s.level, py::arg("tile") = py::none(),
@@ -189,7 +191,7 @@ source: a file that OpenImageIO reads, or an array (height, width), (height, wid
 output: the spectral image, NAME.exr.
 space: of SPACES, what the source's numbers are; None: what a file says; for an array srgb if it is
   of integers, else lin_rec709.
-light, method, outside, grid: as of Upsampler.
+light, method, outside, grid, material, samples: as of Upsampler.
 max_deviation: instead of grid, the coarsest one whose spectra deviate by no more from those that
   are solved one by one (RMS).
 dtype, compression ('zip', 'zips', 'piz', 'none'), level, tile (width, height), mipmap: how the file

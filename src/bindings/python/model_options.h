@@ -3,6 +3,7 @@
 #include <specbake/core/color.h>
 #include <specbake/core/upsampler_options.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -12,7 +13,11 @@ namespace specbake::python {
 const ColorSpace& spaceNamed(const std::string& name);
 
 /// How colours become spectra, of the words that Python has for it. Throws ArgumentError.
-UpsamplerOptions modelOptions(const std::optional<std::string>& light, const std::string& method,
-                              const std::string& outside, std::optional<int> grid);
+/// `method`: none for the default, which is natural where there are a material or samples.
+/// `samples`: a file of measured reflectances (measured_file.h), whose FileError goes on.
+UpsamplerOptions modelOptions(const std::optional<std::string>& light,
+                              const std::optional<std::string>& method, const std::string& outside,
+                              std::optional<int> grid, const std::optional<std::string>& material,
+                              const std::optional<std::filesystem::path>& samples);
 
 }  // namespace specbake::python

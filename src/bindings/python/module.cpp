@@ -1,6 +1,7 @@
 #include "bindings.h"
 
 #include <specbake/core/color.h>
+#include <specbake/core/measured_sample.h>
 #include <specbake/core/methods.h>
 #include <specbake/core/observer.h>
 #include <specbake/core/wavelengths.h>
@@ -29,6 +30,9 @@ void addNames(py::module_& module) {
     module.attr("SPACES") = spaces;
     module.attr("LIGHTS") = py::tuple(py::cast(illuminantNames()));
     module.attr("METHODS") = names;
+    py::tuple materials(materialNames().size());
+    for (std::size_t i = 0; i < materialNames().size(); ++i) materials[i] = materialNames()[i];
+    module.attr("MATERIALS") = materials;
     module.attr("WAVELENGTHS") = bandWavelengths();
     module.attr("__version__") = kVersion;
 }

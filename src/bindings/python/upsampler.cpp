@@ -10,6 +10,7 @@
 #include <specbake/core/table.h>
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 #include <tbb/enumerable_thread_specific.h>
 
 #include <cmath>
@@ -23,8 +24,11 @@ namespace specbake::python {
 namespace {
 
 Upsampler made(const std::string& space, const std::optional<std::string>& light,
-               const std::string& method, const std::string& outside, std::optional<int> grid) {
-    return Upsampler(spaceNamed(space), modelOptions(light, method, outside, grid));
+               const std::optional<std::string>& method, const std::string& outside,
+               std::optional<int> grid, const std::optional<std::string>& material,
+               const std::optional<std::filesystem::path>& samples) {
+    return Upsampler(spaceNamed(space),
+                     modelOptions(light, method, outside, grid, material, samples));
 }
 
 enum class Invalid { raise, nan };
@@ -174,16 +178,19 @@ Colours are arrays (..., 3) of what a texture in the space stores: encoded compo
 linear ones for 'lin_rec709', 'acescg' and so on, X, Y, Z (perfect reflector: Y = 1) for 'xyz'.
 uint8 and uint16 are shares of 255 and 65535; all else counts as it is, in single precision.)")
         .def(py::init(&made), py::arg("space") = "lin_rec709", py::kw_only(),
-             py::arg("light") = py::none(), py::arg("method") = defaults.method,
+             py::arg("light") = py::none(), py::arg("method") = py::none(),
              py::arg("outside") = std::string(outsideName(defaults.outside)),
-             py::arg("grid") = defaults.grid, R"(
+             py::arg("grid") = defaults.grid, py::arg("material") = defaults.material,
+             py::arg("samples") = py::none(), R"(
 space: one of SPACES.
 light: one of LIGHTS, under which the colours hold; None: the space's own white.
-method: one of METHODS.
+method: one of METHODS; None: 'smooth', and 'natural' where there are a material or samples.
 outside: what a colour gets that no reflectance has: 'nearest', 'scale' or 'error'.
 grid: nodes along each axis of the lookup, 2 to 129; None: each colour is solved by itself.
+material: one of MATERIALS: near the colours of its samples, spectra are that material's.
+samples: a file of measured reflectances, which spectra are at and near the samples' colours.
 
-Raises ArgumentError.)")
+Raises ArgumentError, FileError.)")
         .def("spectra", &spectra, py::arg("colors"), py::kw_only(),
              py::arg("wavelengths") = py::none(), py::arg("dtype") = "float32",
              py::arg("out") = py::none(), py::arg("invalid") = "raise", py::arg("threads") = 0, R"(
@@ -225,6 +232,8 @@ grid, and for 'xyz'.)")
         .def_property_readonly(
             "observer", [](const Upsampler& u) { return u.observer(); },
             "The Observer under the model's light.")
+        .def_property_readonly("notes", &Upsampler::notes,
+                               "What is to be told of the samples, a line each.")
         .def_property_readonly("identity", &Upsampler::identity,
                                "All that the spectra depend on, as one line of text.")
         .def("__repr__",

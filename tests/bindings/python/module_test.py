@@ -178,6 +178,25 @@ class Spectra(unittest.TestCase):
             with self.assertRaises(specbake.ArgumentError):
                 self.model.solve(**wrong)
 
+    def test_samples_and_materials(self):
+        chart = ROOT / "data/colorchecker_24.csv"
+        rows = [line.split(",") for line in chart.read_text().splitlines()
+                if line and not line.startswith("#")][1:]
+        measured = np.array([[float(v) for v in row[1:]] for row in rows])
+        model = specbake.Upsampler("xyz", light="D65", grid=None, samples=chart)
+        for reflectance in measured[:6]:
+            got = model.solve(xyz=reflectance @ color.weights("D65")).reflectance
+            np.testing.assert_allclose(got, reflectance, atol=1e-6)
+        skin = specbake.Upsampler("srgb", material="skin")
+        tone = np.array([200, 150, 125], np.uint8)
+        self.assertGreater(np.abs(skin.spectra(tone) -
+                                  specbake.Upsampler("srgb").spectra(tone)).max(), 0.005)
+        self.assertIn("skin", specbake.MATERIALS)
+        for wrong, error in [(dict(material="cheese"), specbake.ArgumentError),
+                             (dict(samples="absent.csv"), specbake.FileError)]:
+            with self.assertRaises(error):
+                specbake.Upsampler(**wrong)
+
     def test_wrong_arguments(self):
         for wrong in [dict(space="nowhere"), dict(light="sun"), dict(method="guess"),
                       dict(outside="far"), dict(grid=1), dict(grid=1000)]:

@@ -12,6 +12,7 @@ examples.
 
 from ._specbake import (
     LIGHTS,
+    MATERIALS,
     METHODS,
     SPACES,
     WAVELENGTHS,

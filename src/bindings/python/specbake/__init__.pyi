@@ -10,6 +10,7 @@ __version__: str
 SPACES: tuple[str, ...]
 LIGHTS: tuple[str, ...]
 METHODS: tuple[str, ...]
+MATERIALS: tuple[str, ...]
 WAVELENGTHS: NDArray[np.float64]
 
 class Error(Exception): ...
@@ -77,9 +78,11 @@ class Upsampler:
         space: str = "lin_rec709",
         *,
         light: str | None = None,
-        method: str = "smooth",
+        method: str | None = None,
         outside: str = "nearest",
         grid: int | None = 17,
+        material: str | None = None,
+        samples: str | PathLike[str] | None = None,
     ) -> None: ...
     def spectra(
         self,
@@ -113,6 +116,8 @@ class Upsampler:
     def observer(self) -> Observer: ...
     @property
     def identity(self) -> str: ...
+    @property
+    def notes(self) -> list[str]: ...
 
 class BakeStatistics:
     @property
@@ -187,9 +192,11 @@ def bake(
     *,
     space: str | None = None,
     light: str | None = None,
-    method: str = "smooth",
+    method: str | None = None,
     outside: str = "nearest",
     grid: int | None = 17,
+    material: str | None = None,
+    samples: str | PathLike[str] | None = None,
     max_deviation: float | None = None,
     bits: int = 10,
     max_de: float | None = None,
