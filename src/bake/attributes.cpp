@@ -3,9 +3,27 @@
 #include <specbake/version.h>
 
 namespace specbake::internal {
+namespace {
 
-Attributes bakedAttributes(const Attributes& texture, const Upsampler& upsampler,
-                           std::optional<int> bits) {
+void put(Attributes& all, const char* name, std::string text) {
+    all.insert_or_assign(name, std::move(text));
+}
+
+/// What is needed to know the numbers' meaning again, and no more: a name, where it says all.
+void addMeaning(const ColorMeaning& meaning, Attributes& all) {
+    const ColorSpace& space = meaning.space;
+    put(all, "specbake:colorspace", space.name);
+    put(all, "specbake:colorsource", std::string(colorSourceName(meaning.source)));
+    if (!meaning.profile.empty()) put(all, "specbake:iccprofile", meaning.profile);
+    if (findColorSpace(space.name) != nullptr) return;
+    put(all, "specbake:primaries", primariesText(*space.primaries));
+    if (!meaning.curves) put(all, "specbake:transfer", transferName(space.transfer));
+}
+
+}  // namespace
+
+Attributes bakedAttributes(const Attributes& texture, const ColorMeaning& meaning,
+                           const Upsampler& upsampler, std::optional<int> bits) {
     const UpsamplerOptions& model = upsampler.options();
     Attributes all = texture;
     all["spectralLayoutVersion"] = "1.0";
@@ -18,7 +36,10 @@ Attributes bakedAttributes(const Attributes& texture, const Upsampler& upsampler
     if (bits) all["specbake:bits"] = *bits;
     all["specbake:illuminant"] = upsampler.observer().illuminant();
     all["specbake:observer"] = std::string(upsampler.observer().name());
-    all["specbake:colorspace"] = upsampler.space().name;
+    addMeaning(meaning, all);
+    if (isAdapted(meaning.space, upsampler.observer())) {
+        put(all, "specbake:adaptation", std::string(adaptationName(model.adapt)));
+    }
     all["specbake:outside"] = std::string(outsideName(model.outside));
     return all;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <specbake/core/upsampler.h>
+#include <specbake/image/color_meaning.h>
 #include <specbake/image/image_types.h>
 
 #include <filesystem>
@@ -12,8 +13,8 @@ namespace specbake::internal {
 
 /// The texture's metadata with what is needed to know how the file was made (docs/file-format.md).
 /// `bits`: of the mantissa of half samples; none for floats.
-Attributes bakedAttributes(const Attributes& texture, const Upsampler& upsampler,
-                           std::optional<int> bits);
+Attributes bakedAttributes(const Attributes& texture, const ColorMeaning& meaning,
+                           const Upsampler& upsampler, std::optional<int> bits);
 
 /// The materials of a map, and its file's name.
 void addMaterials(Attributes& attributes, const std::vector<std::string>& materials,

@@ -1,7 +1,6 @@
 #include "attributes.h"
 #include "baking.h"
 #include "choose/tolerances.h"
-#include "chosen_space.h"
 #include "identity/identity.h"
 #include "material/material_map.h"
 #include "watched_texture.h"
@@ -37,15 +36,15 @@ class Job {
     Job(Texture& texture, const BakeOptions& options)
         : options_(checked(options)),
           models_(options.models ? options.models : std::make_shared<ModelCache>()),
-          space_(chosenSpace(texture.info(), options)),
-          decoder_(texture.info(), space_),
+          meaning_(chosenMeaning(texture.info(), options.color, unused_)),
+          decoder_(texture.info(), meaning_),
           watched_(texture),
           source_{watched_, decoder_, options.threads, options.stop},
-          upsampler_(models_->model(space_, decidedModel())),
+          upsampler_(models_->model(meaning_.space, decidedModel())),
           bits_(decidedBits()) {
         if (!options_.materialMap) return;
         mapImage_.emplace(options_.materialMap->string());
-        map_.emplace(*mapImage_, texture.info(), space_, upsampler_->options(),
+        map_.emplace(*mapImage_, texture.info(), meaning_.space, upsampler_->options(),
                      options_.mappedMaterials);
     }
     Job(const Job&) = delete;
@@ -53,7 +52,7 @@ class Job {
 
     SpectralHeader header() const {
         const TextureInfo& info = source_.info();
-        Attributes attributes = bakedAttributes(info.attributes, *upsampler_,
+        Attributes attributes = bakedAttributes(info.attributes, meaning_, *upsampler_,
                                                 half() ? std::optional(bits_) : std::nullopt);
         if (map_) addMaterials(attributes, options_.mappedMaterials, *options_.materialMap);
         return {info.data, info.display, info.pixelAspectRatio, info.alpha.has_value(),
@@ -62,7 +61,7 @@ class Job {
 
     /// Of a texture with that fingerprint.
     std::string identity(const std::string& source) const {
-        return bakeIdentity(source, *models_->model(space_, options_.model), options_);
+        return bakeIdentity(source, *models_->model(meaning_.space, options_.model), options_);
     }
 
     BakeStatistics run(SpectralSink& sink) {
@@ -70,7 +69,12 @@ class Job {
         const ColorCensus census = baking.run(options_.progress);
         const TextureInfo& info = source_.info();
         statistics_.space = upsampler_->space().name;
+        statistics_.colorSource = meaning_.source;
+        statistics_.colorReason = meaning_.reason;
         statistics_.illuminant = upsampler_->observer().illuminant();
+        if (isAdapted(meaning_.space, upsampler_->observer())) {
+            statistics_.adapted = upsampler_->options().adapt;
+        }
         statistics_.texels = std::size_t(info.data.width) * std::size_t(info.data.height);
         statistics_.grid = upsampler_->options().grid.value_or(0);
         statistics_.bits = half() ? bits_ : std::numeric_limits<float>::digits - 1;
@@ -79,6 +83,7 @@ class Job {
         statistics_.largestMove = census.largestMove();
         statistics_.nodesSolved = upsampler_->nodesSolved();
         statistics_.notes = info.notes;
+        statistics_.notes.insert(statistics_.notes.end(), unused_.begin(), unused_.end());
         if (watched_.holdsNormals()) {
             statistics_.notes.emplace_back(
                 "its texels are unit vectors around (0.5, 0.5, 1): normals, it seems, no colours");
@@ -94,7 +99,7 @@ class Job {
         UpsamplerOptions model = options_.model;
         if (!options_.maxDeviation || !model.grid) return model;
         const GridChoice choice =
-            chooseGrid(source_, space_, model, *options_.maxDeviation, *models_);
+            chooseGrid(source_, meaning_.space, model, *options_.maxDeviation, *models_);
         statistics_.deviation = choice.deviation;
         statistics_.largestDeviation = choice.largest;
         statistics_.deviationColors = choice.colors;
@@ -113,7 +118,8 @@ class Job {
     BakeOptions options_;
     std::shared_ptr<ModelCache> models_;
     BakeStatistics statistics_;
-    ColorSpace space_;
+    std::vector<std::string> unused_;
+    ColorMeaning meaning_;
     TexelDecoder decoder_;
     WatchedTexture watched_;
     TexelSource source_;

@@ -34,6 +34,7 @@ std::string problemOf(const BakeOptions& options) {
     std::string problem = problemOfMap(options);
     if (!problem.empty()) return problem;
     if (!options.read.isValid(&problem)) return problem;
+    if (!options.color.isValid(&problem)) return problem;
     if (!options.model.isValid(&problem)) return problem;
     if (options.bits < BakeOptions::kFewestMantissaBits ||
         options.bits > BakeOptions::kMostMantissaBits) {

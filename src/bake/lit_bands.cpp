@@ -12,8 +12,7 @@ LitBands litBands(const RelightOptions& options) {
     const Observer lit(options.illuminant);
     const XYZ daylight = Observer("D65").white();
     const Imath::M33d shown = xyzFromRGB(*findColorSpace("lin_rec709"), daylight).inverse();
-    const Imath::M33d rgbFromXYZ =
-        options.adapt ? adaptation(lit.white(), daylight) * shown : shown;
+    const Imath::M33d rgbFromXYZ = adaptation(lit.white(), daylight, options.adapt) * shown;
     const Imath::V3d white = lit.white() * rgbFromXYZ;
     const double gain = std::exp2(options.exposure) / std::max({white.x, white.y, white.z});
     LitBands colors;

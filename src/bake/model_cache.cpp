@@ -8,13 +8,14 @@ namespace {
 
 /// All members: one that is added does not compile until it is compared.
 auto allOf(const UpsamplerOptions& options) {
-    const auto& [illuminant, method, material, samples, outside, grid] = options;
-    return std::tie(illuminant, method, material, samples, outside, grid);
+    const auto& [illuminant, adapt, method, material, samples, outside, grid] = options;
+    return std::tie(illuminant, adapt, method, material, samples, outside, grid);
 }
 
 auto allOf(const ColorSpace& space) {
     const auto& [name, transfer, primaries, illuminant] = space;
-    return std::tie(name, transfer, primaries, illuminant);
+    const auto& [gamma, offset, divisor, slope, knee] = transfer;
+    return std::tie(name, gamma, offset, divisor, slope, knee, primaries, illuminant);
 }
 
 }  // namespace

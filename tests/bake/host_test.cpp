@@ -41,7 +41,7 @@ class Noise : public Texture {
         info_.data = info_.display = {0, 0, 256, 512};
         info_.channels = 3;
         info_.sampleType = TexelType::uint8;
-        info_.automaticSpace = *findColorSpace("srgb");
+        info_.color.space = *findColorSpace("srgb");
     }
     const TextureInfo& info() const override { return info_; }
     void readRows(int first, int count, std::span<std::byte> samples) override {
@@ -101,7 +101,7 @@ TEST_CASE("settings of the host are as they were, while the libraries work and a
     options.threads = 3;
     options.progress = look;
     bake(kImages + "orientation6.jpg", spectral, options);
-    static_cast<void>(verify(spectral, kImages + "orientation6.jpg", {{}, {}, 2}));
+    static_cast<void>(verify(spectral, kImages + "orientation6.jpg", {{}, {}, {}, 2}));
     RelightOptions relit;
     relit.threads = 1;
     relit.progress = look;

@@ -1,5 +1,7 @@
 #include "sample_colors.h"
 
+#include <specbake/core/color_space.h>
+
 #include <algorithm>
 #include <cmath>
 

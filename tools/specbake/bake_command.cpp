@@ -34,7 +34,7 @@ struct Arguments {
     std::vector<std::string> inputs;
     std::string output;
     ReadArguments read;
-    std::string space = "auto";
+    ColorArguments color;
     ModelArguments model;
     std::string materialMap;  ///< an image, "" for none
     int grid = kDefaultGridNodes;
@@ -67,7 +67,7 @@ UpsamplerOptions modelOf(const Arguments& a, BakeOptions& options,
 BakeOptions optionsOf(const Arguments& a, std::vector<std::string>& notes) {
     BakeOptions options = a.options;
     options.read = a.read.options();
-    options.space = unlessAuto(a.space);
+    options.color = a.color.wishes();
     options.model = modelOf(a, options, notes);
     options.model.grid = a.perTexel ? std::nullopt : std::optional(a.grid);
     options.storage.sampleType = parseSampleType(a.sampleType);
@@ -102,7 +102,7 @@ void report(const BakeStatistics& s, const Arguments& a, const std::string& inpu
 void writePage(const BakeStatistics& s, const Arguments& a, const std::string& input) {
     ReportOptions page;
     page.verify.read = a.read.options();
-    page.verify.space = unlessAuto(a.space);
+    page.verify.color = a.color.wishes();
     page.verify.threads = a.options.threads;
     page.facts = {{"texels", std::to_string(s.texels)},
                   {"texels outside the solid", std::to_string(s.outsideTexels)},
@@ -195,10 +195,9 @@ Command addBake(CLI::App& program) {
                      "'out/wood.<UDIM>.exr'")
         ->required();
     addReadOptions(*command, a->read, "else the colours of the file");
-    command->add_option("--space", a->space, "colour space of the texture")
-        ->check(CLI::IsMember(spaceChoices()))
-        ->capture_default_str();
+    addColorOptions(*command, a->color, "what the file says");
     addModelOptions(*command, a->model, "the space's white, E for xyz");
+    addOutsideOption(*command, a->model);
     command
         ->add_option("--material-map", a->materialMap,
                      "an image of the texture's size: its channels are how much of each --material "

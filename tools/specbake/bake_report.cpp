@@ -13,6 +13,8 @@ Json bakeJson(const std::string& input, const std::string& output, const BakeSta
     Json json = {{"input", input},
                  {"output", output},
                  {"space", s.space},
+                 {"color_source", colorSourceName(s.colorSource)},
+                 {"color_reason", s.colorReason},
                  {"illuminant", s.illuminant},
                  {"texels", s.texels},
                  {"direct_texels", s.directTexels},
@@ -23,6 +25,7 @@ Json bakeJson(const std::string& input, const std::string& output, const BakeSta
                  {"bits", s.bits},
                  {"seconds", s.seconds},
                  {"notes", s.notes}};
+    if (s.adapted) json["adaptation"] = adaptationName(*s.adapted);
     if (s.deviation) {
         json["deviation"] = *s.deviation;
         json["deviation_largest"] = s.largestDeviation;
@@ -70,9 +73,14 @@ std::string choicesText(const std::string& output, const BakeStatistics& s) {
 }
 
 std::string bakeLine(const std::string& input, const std::string& output, const BakeStatistics& s) {
-    return fmt::format(
-        "{} -> {}: {} texels ({}, {}) in {:.2f} s; {} nodes solved, {} texels one by one", input,
-        output, s.texels, s.space, s.illuminant, s.seconds, s.nodesSolved, s.directTexels);
+    const std::string adapted =
+        s.adapted ? fmt::format(", adapted to {}: {}", s.illuminant, adaptationName(*s.adapted))
+                  : "";
+    return fmt::format("{}: colours are {} ({}){}\n", input, s.space, s.colorReason, adapted) +
+           fmt::format(
+               "{} -> {}: {} texels ({}, {}) in {:.2f} s; {} nodes solved, {} texels one by one",
+               input, output, s.texels, s.space, s.illuminant, s.seconds, s.nodesSolved,
+               s.directTexels);
 }
 
 }  // namespace specbake::tool

@@ -14,10 +14,28 @@
 namespace specbake::tool {
 namespace {
 
-std::vector<std::string> illuminantChoices() {
-    std::vector<std::string> names = illuminantNames();
-    names.insert(names.begin(), "auto");
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+std::vector<std::string> adaptationNames() {
+    std::vector<std::string> names;
+    for (const Adaptation adaptation : adaptations())
+        names.emplace_back(adaptationName(adaptation));
     return names;
+}
+
+/// A check that words can be read in one place of the wishes, or are "auto" where that is offered.
+CLI::Validator wishCheck(std::optional<std::string> ColorWishes::*part, bool automatic = false) {
+    const auto check = [part, automatic](std::string& text) {
+        ColorWishes wishes;
+        if (!automatic || text != "auto") wishes.*part = text;
+        std::string problem;
+        return wishes.isValid(&problem) ? std::string() : problem;
+    };
+    return {check, "", ""};
 }
 
 std::vector<std::string> methodNames() {
@@ -61,10 +79,44 @@ std::string compressionWords() {
 
 }  // namespace
 
-std::vector<std::string> spaceChoices() {
-    std::vector<std::string> names = {"auto"};
+ColorWishes ColorArguments::wishes() const {
+    return {unlessAuto(space), transfer, primaries};
+}
+
+void addSpaceOptions(CLI::App& command, ColorArguments& arguments, const std::string& automatic) {
+    std::vector<std::string> names;
     for (const ColorSpace& space : colorSpaces()) names.push_back(space.name);
-    return names;
+    command
+        .add_option("--space", arguments.space,
+                    "what the numbers mean, by name or another name of it (docs/color.md): " +
+                        joined(names) + (automatic.empty() ? "" : "; auto: " + automatic))
+        ->check(wishCheck(&ColorWishes::space, !automatic.empty()))
+        ->capture_default_str();
+    command
+        .add_option("--primaries", arguments.primaries,
+                    "the primaries and the white, instead of the space's: rx,ry,gx,gy,bx,by,wx,wy "
+                    "or the name of a space")
+        ->check(wishCheck(&ColorWishes::primaries));
+}
+
+void addColorOptions(CLI::App& command, ColorArguments& arguments, const std::string& automatic) {
+    addSpaceOptions(command, arguments, automatic);
+    command
+        .add_option("--transfer", arguments.transfer,
+                    "the curve, instead of the space's: linear, srgb, rec709, romm or gamma:2.2")
+        ->check(wishCheck(&ColorWishes::transfer));
+}
+
+CLI::Validator illuminantCheck() {
+    const auto check = [](std::string& name) {
+        std::string problem;
+        return name == "auto" || isIlluminant(name, &problem) ? std::string() : problem;
+    };
+    return {check, joined(illuminantNames()), ""};
+}
+
+CLI::Validator adaptationCheck() {
+    return CLI::IsMember(adaptationNames());
 }
 
 std::optional<std::string> unlessAuto(const std::string& name) {
@@ -90,6 +142,7 @@ UpsamplerOptions ModelArguments::options(std::vector<std::string>& notes) const 
     options.illuminant = unlessAuto(illuminant);
     options.method = measured && !methodGiven ? "natural" : method;
     options.outside = outsideFromName(outside).value();
+    options.adapt = adaptationFromName(adapt).value();
     return options;
 }
 
@@ -97,12 +150,20 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::st
     command
         .add_option("--illuminant", arguments.illuminant,
                     "light under which the colours hold; auto: " + white)
-        ->check(CLI::IsMember(illuminantChoices()))
+        ->check(illuminantCheck())
+        ->capture_default_str();
+    command
+        .add_option("--adapt", arguments.adapt,
+                    "how colours of a space with another white are adapted to the light")
+        ->check(adaptationCheck())
         ->capture_default_str();
     command.add_option("--method", arguments.method, methodSummaries())
         ->check(CLI::IsMember(methodNames()))
         ->each([&arguments](const std::string&) { arguments.methodGiven = true; })
         ->capture_default_str();
+}
+
+void addOutsideOption(CLI::App& command, ModelArguments& arguments) {
     command
         .add_option("--material", arguments.material,
                     "near the colours of measured samples of it, spectra are those of this "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <specbake/core/upsampler.h>
+#include <specbake/image/color_meaning.h>
 #include <specbake/image/spectral_layout.h>
 #include <specbake/image/texture_reader.h>
 
@@ -13,8 +14,26 @@
 /// Options that several commands offer, alike in each, with the defaults of the library.
 namespace specbake::tool {
 
-/// The names that `--space` takes, "auto" first.
-std::vector<std::string> spaceChoices();
+/// What a texture's numbers mean, as words of the command line.
+struct ColorArguments {
+    std::string space = "auto";
+    std::optional<std::string> transfer;
+    std::optional<std::string> primaries;
+
+    ColorWishes wishes() const;
+};
+
+/// `--space`, `--primaries`. `automatic`: what "auto" means; empty: it is not offered.
+void addSpaceOptions(CLI::App& command, ColorArguments& arguments, const std::string& automatic);
+
+/// The same, and `--transfer`.
+void addColorOptions(CLI::App& command, ColorArguments& arguments, const std::string& automatic);
+
+/// For an option that names a light: in any case, and a slip is told what it is near.
+CLI::Validator illuminantCheck();
+
+/// For `--adapt`.
+CLI::Validator adaptationCheck();
 
 /// Nothing for "auto".
 std::optional<std::string> unlessAuto(const std::string& name);
@@ -27,6 +46,7 @@ struct ModelArguments {
     std::string material;  ///< "" for none; several with commas
     std::string samples;   ///< a file, "" for none
     std::string outside{outsideName(UpsamplerOptions().outside)};
+    std::string adapt{adaptationName(UpsamplerOptions().adapt)};
 
     /// The options with all else as it is by default: a material and samples stand on the method
     /// `natural`, unless another is given. Reads the samples; what there is to tell of their file
@@ -35,9 +55,12 @@ struct ModelArguments {
     std::vector<std::string> materials() const;
 };
 
-/// `--illuminant`, `--method`, `--material`, `--samples`, `--outside`. `white`: what "auto" means
+/// `--illuminant`, `--adapt`, `--method`, `--material`, `--samples`. `white`: what "auto" means
 /// for the light.
 void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::string& white);
+
+/// `--outside`
+void addOutsideOption(CLI::App& command, ModelArguments& arguments);
 
 /// To stderr, a line each: the notes of the options, then those of the model made of them.
 void printNotes(const std::vector<std::string>& notes, const Upsampler& upsampler);

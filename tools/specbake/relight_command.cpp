@@ -22,6 +22,7 @@ struct Arguments {
     std::string spectral;
     std::string picture;
     RelightOptions options;
+    std::string adapt{adaptationName(RelightOptions().adapt)};
     bool noAdapt = false;
     bool quiet = false;
 };
@@ -36,7 +37,7 @@ ExitCode relightCommand(const Arguments& a) {
     try {
         ProgressBar bar("relighting " + fs::path(a.spectral).filename().string(), !a.quiet);
         RelightOptions options = a.options;
-        options.adapt = !a.noAdapt;
+        options.adapt = a.noAdapt ? Adaptation::none : adaptationFromName(a.adapt).value();
         options.stop = signals.token();
         options.progress = [&bar](double done) { bar.show(done); };
         relight(a.spectral, a.picture, options);
@@ -59,10 +60,14 @@ Command addRelight(CLI::App& program) {
                      "picture to write: sRGB with 8 bits, or linear floats if .exr or .hdr")
         ->required();
     command->add_option("--illuminant", a->options.illuminant, "the light")
-        ->check(CLI::IsMember(illuminantNames()))
+        ->check(illuminantCheck())
         ->capture_default_str();
-    command->add_flag("--no-adapt", a->noAdapt,
-                      "show the light's tint; else the eye has adapted and white looks white");
+    command
+        ->add_option("--adapt", a->adapt,
+                     "how the eye has adapted to the light: white looks white; none shows its tint")
+        ->check(adaptationCheck())
+        ->capture_default_str();
+    command->add_flag("--no-adapt", a->noAdapt, "--adapt none")->excludes("--adapt");
     command->add_option("--exposure", a->options.exposure, "stops, to darken or brighten")
         ->check(CLI::Range(-32.0, 32.0))
         ->capture_default_str();

@@ -19,14 +19,13 @@ namespace {
 struct Arguments {
     std::vector<double> xyz;
     std::vector<double> rgb;
-    std::string space = "auto";
+    ColorArguments color;
     ModelArguments model;
     bool json = false;
 };
 
-const ColorSpace& spaceOf(const Arguments& a) {
-    const std::string byDefault = a.xyz.empty() ? "lin_rec709" : "xyz";
-    return *findColorSpace(a.space == "auto" ? byDefault : a.space);
+ColorSpace spaceOf(const Arguments& a) {
+    return wishedSpace(*findColorSpace(a.xyz.empty() ? "lin_rec709" : "xyz"), a.color.wishes());
 }
 
 /// A colour typed as X Y Z; the grey of its Y where it is as near to that as the table of the
@@ -143,10 +142,9 @@ Command addSolve(CLI::App& program) {
         ->expected(3);
     color->add_option("--rgb", a->rgb, "R G B of --space; 1 1 1 is white")->expected(3);
     color->require_option(1);
-    command->add_option("--space", a->space, "what --rgb is in; auto: lin_rec709")
-        ->check(CLI::IsMember(spaceChoices()))
-        ->capture_default_str();
+    addColorOptions(*command, a->color, "lin_rec709 for --rgb");
     addModelOptions(*command, a->model, "the space's white, E for --xyz");
+    addOutsideOption(*command, a->model);
     command->add_flag("--json", a->json, "spectrum and report as JSON");
     return [a] { return solveCommand(*a); };
 }

@@ -16,7 +16,7 @@ namespace {
 
 struct Arguments {
     std::string output;
-    std::string space = "srgb";
+    ColorArguments color;
     ModelArguments model;
     int grid = kDefaultGridNodes;
 };
@@ -36,7 +36,7 @@ void print(const char* where, const TableErrors& errors) {
 }
 
 ExitCode tableCommand(const Arguments& a) {
-    const ColorSpace& space = *findColorSpace(a.space);
+    const ColorSpace space = wishedSpace(*findColorSpace("srgb"), a.color.wishes());
     std::vector<std::string> notes;
     UpsamplerOptions options = a.model.options(notes);
     options.grid = a.grid;
@@ -62,10 +62,10 @@ Command addTable(CLI::App& program) {
     auto a = std::make_shared<Arguments>();
     CLI::App* command = program.add_subcommand(
         "table", "A table of spectra for renderers, which look texels up by specbake/sampler.h");
+    command->footer("What is looked up is linear RGB of the space.");
     command->add_option("-o,--output", a->output, "the table, NAME.spectab")->required();
-    command->add_option("--space", a->space, "linear RGB of this space is what is looked up")
-        ->check(CLI::IsMember(spaceChoices()))
-        ->capture_default_str();
+    a->color.space = "srgb";
+    addSpaceOptions(*command, a->color, {});
     addModelOptions(*command, a->model, "the space's white");
     command->add_option("--grid", a->grid, "nodes of the table along each axis")
         ->check(CLI::Range(kFewestGridNodes, kMostGridNodes))

@@ -27,6 +27,8 @@ struct Arguments {
     std::string reference;
     std::string report;
     ReadArguments read;
+    ColorArguments color;
+    std::optional<std::string> adapt;
     VerifyOptions options;
     std::optional<double> maxDE;
     double maxBand = 0.001;
@@ -105,7 +107,7 @@ void show(const Arguments& a, const Found& found, const char* name, Json& json) 
 bool confirmReading(const Arguments& a, Json& json) {
     if (!a.independent) return true;
     const SecondReading second = compareReadings(a.texture);
-    const std::string result = !second.possible ? "only OpenImageIO reads this file; not confirmed"
+    const std::string result = !second.possible ? "only one reader knows this file; not confirmed"
                                : second.difference
                                    ? "OpenImageIO reads otherwise: " + *second.difference
                                    : "OpenImageIO reads the same";
@@ -118,6 +120,8 @@ bool confirmReading(const Arguments& a, Json& json) {
 Verification verified(const Arguments& a) {
     VerifyOptions options = a.options;
     options.read = a.read.options();
+    options.color = a.color.wishes();
+    if (a.adapt) options.adapt = adaptationFromName(*a.adapt);
     if (a.report.empty()) return verify(a.spectral, a.texture, options);
     ReportOptions page;
     page.verify = options;
@@ -176,10 +180,13 @@ Command addVerify(CLI::App& program) {
         ->capture_default_str()
         ->needs(spectra);
     addReadOptions(*command, a->read, "else what the spectral file was made of");
-    command->add_option("--space", a->options.space,
-                        "colour space of the texture, instead of the one that the file names");
-    command->add_option("--illuminant", a->options.illuminant,
-                        "light, instead of the one that the file names");
+    addColorOptions(*command, a->color, "what the spectral image says");
+    command
+        ->add_option("--illuminant", a->options.illuminant,
+                     "light, instead of the one that the file names")
+        ->check(illuminantCheck());
+    command->add_option("--adapt", a->adapt, "adaptation, instead of the one that the file names")
+        ->check(adaptationCheck());
     command->add_flag("--independent,!--no-independent", a->independent,
                       "read the texture by OpenImageIO too, where the bake reads it by a reader of "
                       "its own, and exit 3 if they differ; the default");

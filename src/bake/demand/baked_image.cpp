@@ -1,6 +1,5 @@
 #include "attributes.h"
 #include "choose/tolerances.h"
-#include "chosen_space.h"
 #include "demand/level_blocks.h"
 #include "mantissa.h"
 
@@ -81,13 +80,13 @@ struct BakedImage::Implementation {
         : options(checked(itsOptions)),
           texture(std::move(itsTexture)),
           info(texture->info()),
-          space(chosenSpace(info, options)),
-          decoder(info, space),
+          meaning(chosenMeaning(info, options.color, unused)),
+          decoder(info, meaning),
           source{*texture, decoder, options.threads, options.stop},
-          upsampler(space, decidedModel()),
+          upsampler(meaning.space, decidedModel()),
           bits(decidedBits()),
           header{info.data, info.display, info.pixelAspectRatio, info.alpha.has_value(),
-                 bakedAttributes(info.attributes, upsampler,
+                 bakedAttributes(info.attributes, meaning, upsampler,
                                  half() ? std::optional(bits) : std::nullopt)},
           levels(chunkGrids(info.data.width, info.data.height, options.storage)),
           rows(*texture, memory.texture),
@@ -99,7 +98,7 @@ struct BakedImage::Implementation {
         UpsamplerOptions model = options.model;
         if (options.maxDeviation && model.grid) {
             ModelCache models;
-            model.grid = chooseGrid(source, space, model, *options.maxDeviation, models).nodes;
+            model.grid = chooseGrid(source, meaning.space, model, *options.maxDeviation, models).nodes;
         }
         return model;
     }
@@ -152,7 +151,8 @@ struct BakedImage::Implementation {
     BakeOptions options;
     std::unique_ptr<Texture> texture;
     const TextureInfo& info;
-    ColorSpace space;
+    std::vector<std::string> unused;
+    ColorMeaning meaning;
     TexelDecoder decoder;
     TexelSource source;
     Upsampler upsampler;

@@ -32,6 +32,15 @@ std::string described(const ReadOptions& read) {
     return words.empty() ? "read as it is" : joined(words, ", ");
 }
 
+/// What the texture does not say itself, since its bytes stand for that.
+std::string described(const ColorWishes& color) {
+    std::vector<std::string> words;
+    if (color.space) words.push_back("space " + *color.space);
+    if (color.transfer) words.push_back("transfer " + *color.transfer);
+    if (color.primaries) words.push_back("primaries " + *color.primaries);
+    return joined(words, ", ");
+}
+
 /// The map's bytes, and what its channels are.
 std::string describedMap(const BakeOptions& options) {
     const auto map = fileFingerprint(options.materialMap->string());
@@ -71,6 +80,7 @@ std::string bakeIdentity(const std::string& source, const Upsampler& model,
                          const BakeOptions& options) {
     std::vector<std::string> parts = {source, described(options.read), model.identity(),
                                       precision(options), described(options.storage)};
+    if (options.color.any()) parts.push_back(described(options.color));
     if (options.materialMap) parts.push_back(describedMap(options));
     return joined(parts, kIdentitySeparator);
 }

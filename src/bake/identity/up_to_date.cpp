@@ -1,4 +1,3 @@
-#include "chosen_space.h"
 #include "identity/identity.h"
 
 #include <specbake/bake/model_cache.h>
@@ -38,8 +37,9 @@ std::optional<std::string> wantedIdentity(const std::string& input, const BakeOp
     if (!source) return {};
     const TextureReader texture(input, options.read);
     const auto models = options.models ? options.models : std::make_shared<ModelCache>();
-    const ColorSpace space = chosenSpace(texture.info(), options);
-    return bakeIdentity(*source, *models->model(space, options.model), options);
+    std::vector<std::string> unused;
+    const ColorMeaning meaning = chosenMeaning(texture.info(), options.color, unused);
+    return bakeIdentity(*source, *models->model(meaning.space, options.model), options);
 }
 
 }  // namespace

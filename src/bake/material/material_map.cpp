@@ -9,8 +9,10 @@ namespace specbake::internal {
 namespace {
 
 /// Shares are numbers, no colours: nothing is decoded.
-const ColorSpace& asStored() {
-    return *findColorSpace("lin_rec709");
+ColorMeaning asStored() {
+    ColorMeaning meaning;
+    meaning.space = *findColorSpace("lin_rec709");
+    return meaning;
 }
 
 /// Each in [0, 1], NaN being 0; all together at most 1.

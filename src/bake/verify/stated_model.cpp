@@ -10,20 +10,28 @@
 namespace specbake::internal {
 namespace {
 
-bool isIlluminant(const std::string& name) {
-    const std::vector<std::string>& known = illuminantNames();
-    return std::find(known.begin(), known.end(), name) != known.end();
+/// What the spectral file says, as a user would say it.
+ColorWishes statedWishes(const SpectralReader& spectral, const std::string& space) {
+    if (findColorSpace(space) != nullptr) return {space, {}, {}};
+    return {{}, spectral.text("specbake:transfer"), spectral.text("specbake:primaries")};
 }
 
 }  // namespace
 
-ColorSpace statedSpace(const SpectralReader& spectral, const TextureInfo& texture,
-                       const VerifyOptions& options) {
-    const auto name = options.space ? options.space : spectral.text("specbake:colorspace");
-    if (!name || *name == "custom") return texture.automaticSpace;
-    const ColorSpace* space = findColorSpace(*name);
-    if (space == nullptr) throw ArgumentError("unknown colour space '" + *name + "'");
-    return *space;
+ColorMeaning statedMeaning(const SpectralReader& spectral, const TextureInfo& texture,
+                           const VerifyOptions& options) {
+    std::vector<std::string> unused;
+    const ColorMeaning& own = texture.color;
+    const auto space = spectral.text("specbake:colorspace");
+    if (options.color.any() || !space) return chosenMeaning(texture, options.color, unused);
+    const auto profile = spectral.text("specbake:iccprofile");
+    if (profile && own.profile != *profile) {
+        throw FileError(texture.path,
+                        "has not the ICC profile by which its spectral image was made");
+    }
+    const auto source = spectral.text("specbake:colorsource");
+    const bool same = source == colorSourceName(own.source) && own.space.name == *space;
+    return chosenMeaning(texture, same ? ColorWishes() : statedWishes(spectral, *space), unused);
 }
 
 UpsamplerOptions statedModel(const std::string& path, const SpectralReader& spectral,
@@ -38,6 +46,11 @@ UpsamplerOptions statedModel(const std::string& path, const SpectralReader& spec
     const auto light = spectral.text("specbake:illuminant");
     if (light) refuseUnless(isIlluminant(*light), "specbake:illuminant", *light);
     model.illuminant = options.illuminant ? options.illuminant : light;
+    // Files from before the attribute were not adapted.
+    const std::string name = spectral.text("specbake:adaptation").value_or("none");
+    const auto adaptation = adaptationFromName(name);
+    refuseUnless(adaptation.has_value(), "specbake:adaptation", name);
+    model.adapt = options.adapt.value_or(*adaptation);
     if (const auto rule = spectral.text("specbake:outside")) {
         const auto known = outsideFromName(*rule);
         refuseUnless(known.has_value(), "specbake:outside", *rule);

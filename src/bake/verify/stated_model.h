@@ -3,7 +3,6 @@
 #include "verify/sample_rounding.h"
 
 #include <specbake/bake/verify.h>
-#include <specbake/core/color.h>
 #include <specbake/core/upsampler_options.h>
 #include <specbake/image/spectral_reader.h>
 #include <specbake/image/texture.h>
@@ -11,9 +10,10 @@
 namespace specbake::internal {
 
 /// What the texture's numbers mean: what the options say, else what the spectral file says that
-/// they were taken for, else what the texture itself says. Throws ArgumentError.
-ColorSpace statedSpace(const SpectralReader& spectral, const TextureInfo& texture,
-                       const VerifyOptions& options);
+/// they were taken for, else what the texture itself says. Throws ArgumentError, and FileError for
+/// a texture without the ICC profile that the file was made by.
+ColorMeaning statedMeaning(const SpectralReader& spectral, const TextureInfo& texture,
+                           const VerifyOptions& options);
 
 /// The light and the rule for colours outside by which the file was made. No colour is solved.
 /// Throws FileError for a light, an observer or a rule of the file that is not known, ArgumentError

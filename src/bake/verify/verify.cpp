@@ -39,9 +39,9 @@ class Comparison {
         : observer_(observer),
           spectral_(spectral),
           texture_(texture, options.read.orAsIn(spectral_)),
-          model_(statedSpace(spectral_, texture_.info(), options),
-                 statedModel(spectral, spectral_, options)),
-          decoder_(texture_.info(), model_.space()),
+          meaning_(statedMeaning(spectral_, texture_.info(), options)),
+          model_(meaning_.space, statedModel(spectral, spectral_, options)),
+          decoder_(texture_.info(), meaning_),
           texel_(model_, statedRounding(spectral_)),
           alphaRounding_(roundingOf(spectral_.storedType(), 10)),
           largest_(descendingRankOfP99(width() * std::size_t(height()))) {
@@ -143,6 +143,7 @@ class Comparison {
     const RowsObserver& observer_;
     SpectralReader spectral_;
     TextureReader texture_;
+    ColorMeaning meaning_;
     Upsampler model_;
     TexelDecoder decoder_;
     TexelComparison texel_;

@@ -48,6 +48,12 @@ void setOutside(BakeOptions& options, std::string_view value) {
     options.model.outside = *rule;
 }
 
+void setAdaptation(BakeOptions& options, std::string_view value) {
+    const std::optional<Adaptation> adaptation = adaptationFromName(value);
+    if (!adaptation) refuse(value, "bradford, cat16 or none");
+    options.model.adapt = *adaptation;
+}
+
 void setSampleType(BakeOptions& options, std::string_view value) {
     const auto type = std::find_if(kSampleTypes.begin(), kSampleTypes.end(),
                                    [&](SampleType t) { return sampleTypeName(t) == value; });
@@ -74,8 +80,11 @@ constexpr Option kOptions[] = {
      [](Recipe& r, std::string_view v) { r.options.read.channels = channelList(std::string(v)); }},
     {"part", [](Recipe& r, std::string_view v) { r.options.read.part = v; }},
     {"orient", [](Recipe& r, std::string_view v) { r.options.read.orient = yesOrNo(v); }},
-    {"space", [](Recipe& r, std::string_view v) { r.options.space = v; }},
+    {"space", [](Recipe& r, std::string_view v) { r.options.color.space = v; }},
+    {"transfer", [](Recipe& r, std::string_view v) { r.options.color.transfer = v; }},
+    {"primaries", [](Recipe& r, std::string_view v) { r.options.color.primaries = v; }},
     {"illuminant", [](Recipe& r, std::string_view v) { r.options.model.illuminant = v; }},
+    {"adapt", [](Recipe& r, std::string_view v) { setAdaptation(r.options, v); }},
     {"method",
      [](Recipe& r, std::string_view v) {
          r.options.model.method = v;

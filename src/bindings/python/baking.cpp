@@ -58,7 +58,7 @@ BakeStatistics bakeIt(const py::object& source, const Path& output, const BakeOp
         if (!options.read.channels.empty() || options.read.part || options.read.orient) {
             throw ArgumentError("channels, part and orient are for files, not for arrays");
         }
-        const ImageArray image(py::reinterpret_borrow<py::array>(source), options.space);
+        const ImageArray image(py::reinterpret_borrow<py::array>(source), options.color.space);
         run([&](const BakeOptions& o) {
             MemoryTexture texture(image.image());
             return bake(texture, output, o);
@@ -80,7 +80,7 @@ BakeStatistics bakeWithArguments(
     const py::object& part, bool orient, int threads, const py::object& progress) {
     BakeOptions options;
     options.read = readOptions(channels, part, orient);
-    options.space = space;
+    options.color.space = space;
     options.model = modelOptions(light, method, outside, grid, material, samples);
     options.maxDeviation = maxDeviation;
     options.bits = bits;
@@ -98,7 +98,7 @@ void relightWithArguments(const Path& spectral, const Path& picture, const std::
                           bool adapt, double exposure, int threads, const py::object& progress) {
     RelightOptions options;
     options.illuminant = light;
-    options.adapt = adapt;
+    options.adapt = adapt ? Adaptation::bradford : Adaptation::none;
     options.exposure = exposure;
     options.threads = threadsHere(threads);
     runInterruptibly(
@@ -116,7 +116,7 @@ Verification verifyWithArguments(const Path& spectral, const Path& texture,
                                  const std::vector<std::string>& channels, const py::object& part,
                                  bool orient, int threads) {
     VerifyOptions options;
-    options.space = space;
+    options.color.space = space;
     options.illuminant = light;
     options.threads = threadsHere(threads);
     options.read = readOptions(channels, part, orient);
@@ -172,7 +172,7 @@ void addBaking(py::module_& module) {
     const StorageOptions& s = b.storage;
     const RelightOptions r;
     module.def("bake", &bakeWithArguments, py::arg("source"), py::arg("output"), py::kw_only(),
-               py::arg("space") = b.space, py::arg("light") = b.model.illuminant,
+               py::arg("space") = b.color.space, py::arg("light") = b.model.illuminant,
                py::arg("method") = py::none(),
                py::arg("outside") = std::string(outsideName(b.model.outside)),
                py::arg("grid") = b.model.grid, py::arg("material") = b.model.material,
@@ -202,7 +202,7 @@ threads: 0 for all cores. progress: called with 0 to 1. Ctrl-C stops it.
 
 Returns BakeStatistics. Raises FileError, ArgumentError.)");
     module.def("relight", &relightWithArguments, py::arg("spectral"), py::arg("picture"),
-               py::kw_only(), py::arg("light") = r.illuminant, py::arg("adapt") = r.adapt,
+               py::kw_only(), py::arg("light") = r.illuminant, py::arg("adapt") = r.adapt != Adaptation::none,
                py::arg("exposure") = r.exposure, py::arg("threads") = r.threads,
                py::arg("progress") = py::none(), R"(
 The spectral image as it looks under a light, to a picture: linear Rec.709 for EXR and HDR, 8-bit

@@ -38,7 +38,8 @@ ColorArray::ColorArray(const py::object& colors, const ColorSpace& space)
     info.sampleType = texelType(array_.dtype()).value();
     colorBytes_ = 3 * bytesPerSample(info.sampleType);
     if (info.sampleType != TexelType::float32 || space.transfer != Transfer::linear) {
-        decoder_.emplace(info, space);
+        info.color.space = space;
+        decoder_.emplace(info, info.color);
     }
 }
 

@@ -6,9 +6,7 @@
 namespace specbake::python {
 
 const ColorSpace& spaceNamed(const std::string& name) {
-    const ColorSpace* space = findColorSpace(name);
-    if (space == nullptr) throw ArgumentError("unknown colour space '" + name + "'");
-    return *space;
+    return colorSpaceNamed(name);
 }
 
 UpsamplerOptions modelOptions(const std::optional<std::string>& light,

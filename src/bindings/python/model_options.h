@@ -1,6 +1,6 @@
 #pragma once
 
-#include <specbake/core/color.h>
+#include <specbake/core/color_space.h>
 #include <specbake/core/upsampler_options.h>
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "bindings.h"
 
-#include <specbake/core/color.h>
+#include <specbake/core/color_space.h>
 #include <specbake/core/measured_sample.h>
 #include <specbake/core/methods.h>
 #include <specbake/core/observer.h>

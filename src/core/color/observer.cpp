@@ -1,9 +1,8 @@
+#include "color/names.h"
 #include "color/tables.h"
 
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
-
-#include <algorithm>
 
 namespace specbake {
 
@@ -11,11 +10,12 @@ using namespace internal;
 
 namespace {
 
-const std::array<double, kBandCount>& illuminantPower(std::string_view name) {
+const tables::IlluminantTable& illuminantTable(std::string_view name) {
     for (const auto& table : tables::illuminants) {
-        if (table.name == name) return table.power;
+        if (lowerCase(table.name) == lowerCase(name)) return table;
     }
-    throw ArgumentError("unknown illuminant '" + std::string(name) + "'");
+    throw ArgumentError("unknown illuminant '" + std::string(name) + "'" +
+                        suggestion(name, illuminantNames()));
 }
 
 /// x̄, ȳ, z̄ of a band. The quotient is the double nearest to the printed decimal: both the
@@ -27,8 +27,10 @@ Imath::V3d colorMatching(std::size_t band) {
 
 }  // namespace
 
-Observer::Observer(std::string_view illuminant) : illuminant_(illuminant) {
-    const auto& power = illuminantPower(illuminant);
+Observer::Observer(std::string_view illuminant) {
+    const tables::IlluminantTable& table = illuminantTable(illuminant);
+    illuminant_ = table.name;
+    const auto& power = table.power;
     double luminance = 0;
     for (std::size_t m = 0; m < weights_.size(); ++m) luminance += power[m] * colorMatching(m).y;
     for (std::size_t m = 0; m < weights_.size(); ++m) {
@@ -41,6 +43,16 @@ XYZ Observer::color(const Spectrum& reflectance) const {
     Imath::V3d sum(0.0);
     for (std::size_t m = 0; m < weights_.size(); ++m) sum += weights_[m] * reflectance[m];
     return XYZ(sum);
+}
+
+bool isIlluminant(std::string_view name, std::string* reason) {
+    try {
+        static_cast<void>(illuminantTable(name));
+        return true;
+    } catch (const ArgumentError& error) {
+        if (reason != nullptr) *reason = error.what();
+        return false;
+    }
 }
 
 const std::vector<std::string>& illuminantNames() {

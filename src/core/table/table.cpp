@@ -65,7 +65,8 @@ class TableBytes {
         header_.textOffset = sizeof header_;
         header_.textBytes = text_.size();
         header_.nodesOffset = (sizeof header_ + text_.size() + 63) / 64 * 64;
-        const Imath::M33d matrix = xyzFromRGB(upsampler.space(), upsampler.observer().white());
+        const Imath::M33d matrix =
+            xyzFromRGB(upsampler.space(), upsampler.observer(), upsampler.options().adapt);
         for (int i = 0; i < 9; ++i) header_.xyzFromRGB[i] = matrix[i / 3][i % 3];
         for (int i = 0; i < 3; ++i) header_.white[i] = upsampler.observer().white()[i];
     }

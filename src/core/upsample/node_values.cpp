@@ -1,5 +1,7 @@
 #include "upsample/node_values.h"
 
+#include <specbake/core/color_space.h>
+
 namespace specbake::internal {
 
 NodeEncoder::NodeEncoder()

@@ -7,7 +7,6 @@
 #include <specbake/core/upsampler.h>
 #include <specbake/version.h>
 
-#include <charconv>
 #include <utility>
 
 namespace specbake {
@@ -28,9 +27,10 @@ Observer observerOf(const ColorSpace& space, const UpsamplerOptions& options) {
 
 /// The cube that the grid divides: the texture's own space, and for XYZ linear Rec.2020, which
 /// holds nearly every surface colour, on the illuminant's white.
-LookupSpaces spacesFor(const ColorSpace& space, const XYZ& white) {
-    const ColorSpace& cube = space.isXYZ() ? *findColorSpace("lin_rec2020") : space;
-    return {xyzFromRGB(space, white), xyzFromRGB(cube, white)};
+LookupSpaces spacesFor(const ColorSpace& space, const Observer& light, Adaptation adapt) {
+    const Imath::M33d texel = xyzFromRGB(space, light, adapt);
+    if (!space.isXYZ()) return {texel, texel};
+    return {texel, xyzFromRGB(*findColorSpace("lin_rec2020"), light.white())};
 }
 
 NotedSolver solverFor(const UpsamplerOptions& options, const Observer& observer,
@@ -40,21 +40,9 @@ NotedSolver solverFor(const UpsamplerOptions& options, const Observer& observer,
                        findMethod(options.method)->makeSolver(observer, solid, use));
 }
 
-/// The shortest decimal that reads back as the same number.
-std::string decimal(double value) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return {text.data(), end};
-}
-
 std::string described(const ColorSpace& space) {
     if (space.isXYZ()) return space.name;
-    std::string text = space.name + " (";
-    const Primaries& p = *space.primaries;
-    for (const Chromaticity& c : {p.red, p.green, p.blue, p.white}) {
-        text += decimal(c.x) + ' ' + decimal(c.y) + (c == p.white ? ")" : ", ");
-    }
-    return text;
+    return space.name + " (" + primariesText(*space.primaries) + ")";
 }
 
 }  // namespace
@@ -69,7 +57,7 @@ struct Upsampler::Parts {
           solver(itsSolver ? NotedSolver{std::move(itsSolver), {}}
                            : solverFor(options, observer, solid)),
           resolver(solid, *solver.solver, options.outside),
-          spaces(spacesFor(space, observer.white())),
+          spaces(spacesFor(space, observer, options.adapt)),
           lookup(options.grid, spaces, resolver) {}
 
     ColorSpace space;
@@ -124,7 +112,11 @@ std::string Upsampler::identity() const {
            (o.samples.empty() ? "" : samplesIdentity() + "; ") +
            (o.grid ? "grid " + std::to_string(*o.grid) : "each colour by itself") +
            "; outside: " + std::string(outsideName(o.outside)) + "; " + described(parts_->space) +
-           "; " + observer().illuminant() + "; " + std::string(observer().name());
+           "; " + observer().illuminant() +
+           (isAdapted(parts_->space, observer())
+                ? ", adapted: " + std::string(adaptationName(o.adapt))
+                : "") +
+           "; " + std::string(observer().name());
 }
 
 std::string Upsampler::samplesIdentity() const {

@@ -12,10 +12,11 @@ bool isReflectance(const Spectrum& s) {
 
 /// What is wrong; empty if nothing is.
 std::string problemOf(const UpsamplerOptions& options) {
-    const auto& lights = illuminantNames();
-    if (options.illuminant &&
-        std::find(lights.begin(), lights.end(), *options.illuminant) == lights.end()) {
-        return "unknown illuminant '" + *options.illuminant + "'";
+    std::string problem;
+    if (options.illuminant && !isIlluminant(*options.illuminant, &problem)) return problem;
+    const auto kinds = adaptations();
+    if (std::find(kinds.begin(), kinds.end(), options.adapt) == kinds.end()) {
+        return "an adaptation of no kind";
     }
     if (findMethod(options.method) == nullptr) return "unknown method '" + options.method + "'";
     const auto materials = materialNames();

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "texture/color/color_signs.h"
+
 #include <specbake/image/image_types.h>
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -26,8 +27,8 @@ struct ImageDescription {
     bool integers = true;
     /// How it is to be shown, as Exif and TIFF count: 1 as it is stored, 2 to 8 turned or mirrored.
     int orientation = 1;
-    std::optional<std::array<float, 8>> chromaticities;  ///< x, y of red, green, blue, white
-    Attributes attributes;                               ///< metadata worth keeping
+    ColorSigns signs;                ///< what the file says of its colours
+    Attributes attributes;           ///< metadata worth keeping
     std::string parts;               ///< "0 (left), 1 (right)", if there is more than one
     std::vector<std::string> notes;  ///< one line each on what of the file is not used
 };

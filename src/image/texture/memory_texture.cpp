@@ -27,7 +27,8 @@ TextureInfo infoOf(const MemoryImage& image) {
     info.alpha = image.alpha;
     info.associatedAlpha = image.alpha && image.associatedAlpha;
     info.sampleType = image.sampleType;
-    info.automaticSpace = image.space;
+    info.color.space = image.space;
+    info.color.reason = "its caller";
     info.attributes = image.attributes;
     internal::keepWhatFits(info.attributes, info.notes);
     return info;

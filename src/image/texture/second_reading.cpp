@@ -27,6 +27,7 @@ const char* differenceOf(const ImageDescription& a, const ImageDescription& b) {
     if (a.channels != b.channels) return "the channels";
     if (a.alpha != b.alpha || (a.alpha && a.associatedAlpha != b.associatedAlpha)) return "alpha";
     if (a.sampleType != b.sampleType) return "the type of the samples";
+    if (a.signs != b.signs) return "what it says of its colours";
     return nullptr;
 }
 
@@ -54,7 +55,7 @@ std::optional<std::string> differentRow(ImageFile& a, ImageFile& b) {
 
 SecondReading compareReadings(const std::string& path) {
     const std::unique_ptr<ImageFile> ours = openPlain(path);
-    if (!ours) return {};
+    if (!ours || ours->description().signs.model != ColorModel::rgb) return {};
     const std::unique_ptr<ImageFile> theirs = openImageIOParts(path).openImage(path, {});
     if (const char* what = differenceOf(ours->description(), theirs->description())) {
         return {true, what};

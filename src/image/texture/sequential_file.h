@@ -5,6 +5,7 @@
 #include <specbake/core/error.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,13 @@ class SequentialFile : public ImageFile {
   public:
     SequentialFile(std::string path, std::unique_ptr<Decoder> decoder)
         : ImageFile(decoder->description()),
+          path_(std::move(path)),
+          decoder_(std::move(decoder)),
+          skipped_(rowBytes(description().sampleType)) {}
+    /// With another description of the same pixels.
+    SequentialFile(std::string path, std::unique_ptr<Decoder> decoder,
+                   ImageDescription itsDescription)
+        : ImageFile(std::move(itsDescription)),
           path_(std::move(path)),
           decoder_(std::move(decoder)),
           skipped_(rowBytes(description().sampleType)) {}

@@ -1,3 +1,5 @@
+#include "texture/color/decide.h"
+#include "texture/color/lab_and_inks.h"
 #include "texture/data_names.h"
 #include "texture/image_file.h"
 #include "texture/kept_metadata.h"
@@ -16,25 +18,9 @@ using namespace internal;
 
 namespace {
 
-bool isXYZ(const ImageDescription& image) {
-    const auto& names = image.channels;
-    return names.size() >= 3 && sameName(names[0], "X") && sameName(names[1], "Y") &&
-           sameName(names[2], "Z");
-}
-
-ColorSpace automaticSpace(const ImageDescription& image) {
-    if (isXYZ(image)) return *findColorSpace("xyz");
-    if (image.integers) return *findColorSpace("srgb");
-    if (image.chromaticities) {
-        const auto& c = *image.chromaticities;
-        const auto at = [&](std::size_t i) { return Chromaticity{double(c[i]), double(c[i + 1])}; };
-        return colorSpaceFromPrimaries({at(0), at(2), at(4), at(6)});
-    }
-    return *findColorSpace("lin_rec709");
-}
-
 void checkChannels(const TextureInfo& info) {
     const std::string count = std::to_string(info.channels);
+    if (isInks(info.model)) return;  // four, or four and alpha
     const int color = info.channels - (info.alpha ? 1 : 0);
     if (color != 1 && color != 3) {
         throw FileError(info.path, count + " channels, " + (info.alpha ? "one" : "none") +
@@ -57,11 +43,12 @@ TextureInfo infoOf(const std::string& path, const ImageDescription& image) {
     if (info.channels > 1) info.alpha = image.alpha;
     info.associatedAlpha = info.alpha && image.associatedAlpha;
     info.sampleType = image.sampleType;
+    info.model = image.signs.model;
     checkChannels(info);
-    info.automaticSpace = automaticSpace(image);
-    info.attributes = image.attributes;
     info.notes = image.notes;
     if (image.orientation != 1) info.notes.push_back(orientationNote(image.orientation));
+    info.color = meaningOf(image, info.notes);
+    info.attributes = image.attributes;
     return info;
 }
 

@@ -1,7 +1,7 @@
 #include "support/csv.h"
 
 #include <specbake/core/ciede2000.h>
-#include <specbake/core/color.h>
+#include <specbake/core/color_space.h>
 #include <specbake/core/error.h>
 
 #include <doctest/doctest.h>

@@ -2,6 +2,7 @@
 
 #include "support/solid_samples.h"
 
+#include <specbake/core/color_space.h>
 #include <specbake/core/error.h>
 
 #include <doctest/doctest.h>
@@ -117,7 +118,7 @@ TEST_CASE("sRGB never meets the layer, on its faces, edges and corners, however 
 }
 
 TEST_CASE("wide gamuts: what is inside is solved, what is outside is said to be") {
-    for (const char* name : {"lin_rec2020", "acescg", "prophoto"}) {
+    for (const char* name : {"lin_rec2020", "acescg", "lin_prophoto"}) {
         CAPTURE(name);
         const ColorSpace& space = *findColorSpace(name);
         const Observer observer(space.illuminant);

@@ -1,5 +1,7 @@
 #include "solve/smooth.h"
 
+#include <specbake/core/color_space.h>
+
 #include <doctest/doctest.h>
 
 #include <algorithm>

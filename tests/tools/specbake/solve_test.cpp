@@ -85,7 +85,7 @@ TEST_CASE("81 values that have the colour, by every method; the same in JSON") {
 }
 
 TEST_CASE("white, black and grey are 1, 0 and flat in every space") {
-    for (const char* space : {"srgb", "lin_rec709", "lin_rec2020", "acescg", "prophoto"}) {
+    for (const char* space : {"srgb", "lin_rec709", "lin_rec2020", "acescg", "lin_prophoto"}) {
         CAPTURE(space);
         const bool encoded = std::string(space) == "srgb";
         for (const double grey : {0.0, 0.5, 1.0}) {

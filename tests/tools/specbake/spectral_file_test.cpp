@@ -87,7 +87,7 @@ TEST_CASE("the colour space and its light are those that the file names") {
     BakeOptions lamp;
     lamp.model.illuminant = "A";
     BakeOptions linear;
-    linear.space = "lin_rec709";
+    linear.color.space = "lin_rec709";
     CHECK(names("rgb8.png") == "srgb D65");
     CHECK(names("rgba8.png") == "srgb D65");
     CHECK(names("rgb16_tiled.tif") == "srgb D65");

@@ -12,12 +12,12 @@ namespace specbake::bench {
 std::vector<RGB> distinctColors(const std::string& texture, std::size_t count) {
     TextureReader reader(texture);
     const TextureInfo& info = reader.info();
-    const std::string& space = info.automaticSpace.name;
+    const std::string& space = info.color.space.name;
     if (space != "srgb" && space != "lin_rec709") {
         throw FileError(texture,
                         "specbench takes textures of sRGB or linear Rec.709, this is " + space);
     }
-    const TexelDecoder decoder(info, info.automaticSpace);
+    const TexelDecoder decoder(info, info.color);
     std::vector<internal::TexelColor> colors;
     const auto append = [&](std::span<const internal::ColorCount> some) {
         for (const auto& counted : some) colors.push_back(counted.color);

@@ -45,7 +45,7 @@ Colors randomColors() {
 Colors texelsOf(const std::string& path) {
     TextureReader reader(path);
     const TextureInfo& info = reader.info();
-    const TexelDecoder decoder(info, info.automaticSpace);
+    const TexelDecoder decoder(info, info.color);
     const auto width = std::size_t(info.data.width);
     std::vector<std::byte> row(info.bytesPerRow());
     std::vector<float> alpha(width);

@@ -38,8 +38,10 @@ ImageDescription describe(const std::string& path, const Imf::RgbaInputFile& fil
     d.integers = false;
     if (Imf::hasChromaticities(file.header())) {
         const Imf::Chromaticities& c = Imf::chromaticities(file.header());
-        d.chromaticities = {c.red.x,  c.red.y,  c.green.x, c.green.y,
-                            c.blue.x, c.blue.y, c.white.x, c.white.y};
+        d.signs.chromaticities = Primaries{{double(c.red.x), double(c.red.y)},
+                                           {double(c.green.x), double(c.green.y)},
+                                           {double(c.blue.x), double(c.blue.y)},
+                                           {double(c.white.x), double(c.white.y)}};
     }
     d.notes.emplace_back(
         "luminance and chroma, which is stored of every second row and column: "

@@ -1,13 +1,16 @@
 #include "texture/openimageio/openimageio_file.h"
 
+#include "texture/color/lab_and_inks.h"
 #include "texture/openimageio/luminance_chroma.h"
 #include "texture/openimageio/metadata.h"
 #include "texture/openimageio/row_source.h"
 #include "texture/openimageio/subimages.h"
+#include "texture/plain/plain_png.h"
 
 #include <specbake/core/error.h>
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 
 namespace specbake::internal {
@@ -40,13 +43,35 @@ OIIO::TypeDesc descriptionOf(TexelType type) {
     return OIIO::TypeFloat;
 }
 
-std::optional<std::array<float, 8>> chromaticitiesOf(const OIIO::ImageSpec& spec) {
+std::optional<Primaries> chromaticitiesOf(const OIIO::ImageSpec& spec) {
     const auto* attribute =
         spec.find_attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8));
     if (attribute == nullptr) return {};
-    std::array<float, 8> xy{};
-    std::copy_n(static_cast<const float*>(attribute->data()), xy.size(), xy.begin());
-    return xy;
+    const std::span xy(static_cast<const float*>(attribute->data()), 8);
+    const auto at = [&](std::size_t i) { return Chromaticity{double(xy[i]), double(xy[i + 1])}; };
+    return Primaries{at(0), at(2), at(4), at(6)};
+}
+
+std::string profileOf(const OIIO::ImageSpec& spec) {
+    const auto* attribute = spec.find_attribute("ICCProfile");
+    if (attribute == nullptr || attribute->type().basetype != OIIO::TypeDesc::UINT8) return {};
+    return {static_cast<const char*>(attribute->data()), attribute->type().size()};
+}
+
+/// The kind of colours that are stored, where they can be had as they are.
+ColorModel modelOf(const OIIO::ImageSpec& spec, const std::string& format) {
+    constexpr int cieLab = 8;
+    constexpr int iccLab = 9;
+    const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation");
+    if (photometric == cieLab) return ColorModel::cieLab;
+    if (photometric == iccLab) return ColorModel::iccLab;
+    // With alpha or other channels behind its four inks, a TIFF has only inks without a name.
+    const bool more = spec.nchannels > 4 && spec.channel_name(0) == "ink0";
+    if (spec.get_string_attribute("tiff:ColorSpace") == "CMYK" || more) return ColorModel::cmyk;
+    const std::string profile = profileOf(spec);
+    const bool inks = profile.size() >= 20 && profile.substr(16, 4) == "CMYK";
+    if (inks && format == "psd") return ColorModel::cmykOnPaper;
+    return ColorModel::rgb;
 }
 
 /// How Exif and TIFF would have the image shown; 1 for what is no such number.
@@ -55,19 +80,31 @@ int orientationOf(const OIIO::ImageSpec& spec) {
     return orientation >= 1 && orientation <= 8 ? orientation : 1;
 }
 
-ImageDescription describe(const RowSource& source) {
+/// What the channels are called: inks and Lab by what they are, whatever the library says.
+std::vector<std::string> channelsOf(const OIIO::ImageSpec& spec, ColorModel model) {
+    std::vector<std::string> names;
+    for (int c = 0; c < spec.nchannels; ++c) names.emplace_back(spec.channel_name(c));
+    const auto& own = colorNames(model);
+    std::copy_n(own.begin(), std::min(own.size(), names.size()), names.begin());
+    return names;
+}
+
+ImageDescription describe(const RowSource& source, ColorModel model) {
     const OIIO::ImageSpec& spec = source.spec();
     ImageDescription d;
     d.data = {spec.x, spec.y, spec.width, spec.height};
     d.display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height};
     d.pixelAspectRatio = spec.get_float_attribute("PixelAspectRatio", 1.0F);
-    for (int c = 0; c < spec.nchannels; ++c) d.channels.emplace_back(spec.channel_name(c));
-    if (spec.alpha_channel >= 0) d.alpha = spec.alpha_channel;
+    d.channels = channelsOf(spec, model);
+    const int colors = int(colorNames(model).size());
+    if (spec.alpha_channel >= colors) d.alpha = spec.alpha_channel;
     d.associatedAlpha = d.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
     d.sampleType = sampleTypeOf(spec.format);
     d.integers = !spec.format.is_floating_point();
     d.orientation = orientationOf(spec);
-    d.chromaticities = chromaticitiesOf(spec);
+    d.signs.model = model;
+    d.signs.icc = profileOf(spec);
+    d.signs.chromaticities = chromaticitiesOf(spec);
     d.attributes = metadataOf(spec);
     d.notes = source.remarks();
     if (!spec.format.is_floating_point() && spec.format.is_signed()) {
@@ -78,8 +115,9 @@ ImageDescription describe(const RowSource& source) {
 }
 
 /// The same, and what else the file holds.
-ImageDescription describe(const RowSource& source, const std::string& path, int subimage) {
-    ImageDescription d = describe(source);
+ImageDescription describe(const RowSource& source, ColorModel model, const std::string& path,
+                          int subimage) {
+    ImageDescription d = describe(source, model);
     d.parts = subimageNames(path);
     if (!d.parts.empty()) {
         d.notes.push_back("of its parts " + d.parts + " only number " + std::to_string(subimage) +
@@ -120,11 +158,14 @@ std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path,
     }
     const int subimage = part ? subimageNumber(path, *part) : 0;
     auto source = std::make_unique<RowSource>(path, subimage);
-    if (source->input().format_name() == std::string_view("openexr") &&
-        !source->spec().format.is_floating_point()) {
+    const std::string format = source->input().format_name();
+    if (format == "openexr" && !source->spec().format.is_floating_point()) {
         throw FileError(path, "its channels hold whole numbers, as identifiers do, and no colours");
     }
-    ImageDescription description = describe(*source, path, subimage);
+    const ColorModel model = modelOf(source->spec(), format);
+    if (model != ColorModel::rgb) source = std::make_unique<RowSource>(path, subimage, true);
+    ImageDescription description = describe(*source, model, path, subimage);
+    if (format == "png") addPngColorSigns(path, description);
     return std::make_unique<OpenImageIOFile>(std::move(description), std::move(source));
 }
 

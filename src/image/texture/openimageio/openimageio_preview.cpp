@@ -2,7 +2,7 @@
 
 #include "texture/openimageio/one_line.h"
 
-#include <specbake/core/color.h>
+#include <specbake/core/color_space.h>
 #include <specbake/core/error.h>
 #include <specbake/image/output_file.h>
 

@@ -25,6 +25,15 @@ void straightAlphaIsLast(OIIO::ImageSpec& spec) {
     alphaIsStraight(spec);
 }
 
+/// Alpha is what comes behind four inks, if the file says that it is alpha; never the fourth.
+void alphaIsBehindInks(OIIO::ImageSpec& spec) {
+    constexpr int separated = 5;  // TIFF 6.0, section 16
+    if (spec.get_int_attribute("tiff:PhotometricInterpretation") != separated) return;
+    const bool said = spec.get_int_attribute("tiff:UnassociatedAlpha") != 0;
+    if (spec.nchannels > 3) spec.alpha_channel = spec.nchannels > 4 && said ? 4 : -1;
+    if (said) alphaIsStraight(spec);
+}
+
 struct Quirk {
     std::string_view format;  ///< ImageInput::format_name()
     std::string_view seenIn;  ///< the version of OpenImageIO; not who has it first or last
@@ -33,7 +42,7 @@ struct Quirk {
     const char* remark = nullptr;  ///< for a user, where there is alpha
 };
 
-constexpr std::array<Quirk, 9> kQuirks = {{
+constexpr std::array<Quirk, 10> kQuirks = {{
     {"gif", "2.4.7", "alpha_channel is 4, of 4 channels; alpha is 0 or 1", straightAlphaIsLast},
     {"bmp", "2.4.7", "straight alpha as stored, without a word", alphaIsStraight},
     {"ico", "2.4.7", "straight alpha as stored, without a word", alphaIsStraight},
@@ -44,6 +53,8 @@ constexpr std::array<Quirk, 9> kQuirks = {{
     {"sgi", "2.4.7", "straight alpha as stored, without a word", alphaIsStraight},
     {"dds", "2.4.7", "straight alpha as stored, without a word", alphaIsStraight},
     {"heif", "2.4.7", "straight alpha as stored, without a word", alphaIsStraight},
+    {"tiff", "2.4.7", "of C, M, Y, K the last is alpha; behind five inks there is none",
+     alphaIsBehindInks},
     {"webp", "2.4.7", "multiplies by alpha in 8 bits, whatever is asked", alphaIsLast,
      "OpenImageIO's reader multiplies it by alpha in 8 bits: colours are rounded the more, the "
      "smaller alpha is, and black where it is 0"},

@@ -14,10 +14,10 @@
 
 namespace specbake::internal {
 
-RowSource::RowSource(std::string path, int subimage)
+RowSource::RowSource(std::string path, int subimage, bool raw)
     : path_(std::move(path)),
       subimage_(subimage),
-      input_(openSubimage(path_, subimage)),
+      input_(openSubimage(path_, subimage, raw)),
       spec_(input_->spec()),
       remarks_(correctQuirks(input_->format_name(), spec_)) {
     if (input_->format_name() == std::string_view("webp")) {

@@ -16,7 +16,8 @@ class RowSource {
   public:
     /// Throws FileError if the file cannot be opened or is no image of bounded size.
     /// Colour is not multiplied by alpha unless the file holds it so.
-    RowSource(std::string path, int subimage);
+    /// `raw`: inks and Lab come as they are stored, not as the library would mix them.
+    RowSource(std::string path, int subimage, bool raw = false);
 
     /// What the file says of the subimage, made consistent and free of the reader's quirks.
     const OIIO::ImageSpec& spec() const { return spec_; }

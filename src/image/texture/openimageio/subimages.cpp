@@ -19,6 +19,21 @@ std::string nameOf(const OIIO::ImageSpec& spec) {
     return spec.get_string_attribute("oiio:subimagename", spec.get_string_attribute("name"));
 }
 
+/// Null, and OIIO::geterror() says why, for what cannot be opened.
+std::unique_ptr<OIIO::ImageInput> open(const std::string& path, bool raw) {
+    OIIO::ImageSpec wishes;
+    wishes["oiio:UnassociatedAlpha"] = 1;
+    if (raw) wishes["oiio:RawColor"] = 1;
+    return OIIO::ImageInput::open(path, &wishes);
+}
+
+bool holdsLab(const OIIO::ImageSpec& spec) {
+    constexpr int cieLab = 8;
+    constexpr int iccLab = 9;
+    const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation");
+    return photometric == cieLab || photometric == iccLab;
+}
+
 /// The names of the first subimages; those without one are empty.
 std::vector<std::string> namesIn(const std::string& path) {
     const auto input = openSubimage(path, 0);
@@ -48,11 +63,15 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::unique_ptr<OIIO::ImageInput> openSubimage(const std::string& path, int subimage) {
-    OIIO::ImageSpec wishes;
-    wishes["oiio:UnassociatedAlpha"] = 1;
-    auto input = OIIO::ImageInput::open(path, &wishes);
-    if (!input) throw FileError(path, oneLine(OIIO::geterror()));
+std::unique_ptr<OIIO::ImageInput> openSubimage(const std::string& path, int subimage, bool raw) {
+    auto input = open(path, raw);
+    if (!input) {
+        const std::string reason = oneLine(OIIO::geterror());
+        // Lab with alpha is refused, but for its numbers as they are (OpenImageIO 2.4.7).
+        if (!raw) input = open(path, true);
+        static_cast<void>(OIIO::geterror());
+        if (!input || !holdsLab(input->spec())) throw FileError(path, reason);
+    }
     input->threads(1);
     if (subimage != 0 && !input->seek_subimage(subimage, 0)) {
         throw FileError(path, "no part " + std::to_string(subimage));

@@ -10,7 +10,9 @@ namespace specbake::internal {
 /// Opens a file and goes to one of its subimages, once: readers that have looked elsewhere before,
 /// or failed to, do not find back (OpenImageIO 2.4.7: WebP decodes no more; EXR takes the windows
 /// of one part for those of another). Throws FileError.
-std::unique_ptr<OIIO::ImageInput> openSubimage(const std::string& path, int subimage);
+/// `raw`: inks and Lab come as they are stored, not as the library would mix them.
+std::unique_ptr<OIIO::ImageInput> openSubimage(const std::string& path, int subimage,
+                                               bool raw = false);
 
 /// The number of the subimage of that name or number. Throws FileError that tells the names.
 int subimageNumber(const std::string& path, const std::string& part);

@@ -24,8 +24,10 @@ bool takeOver(const exr_attribute_t& attribute, ExrDescription& description) {
     if (format.contains(name)) return true;
     if (name == "chromaticities" && attribute.type == EXR_ATTR_CHROMATICITIES) {
         const exr_attr_chromaticities_t& c = *attribute.chromaticities;
-        description.image.chromaticities = {c.red_x,  c.red_y,  c.green_x, c.green_y,
-                                            c.blue_x, c.blue_y, c.white_x, c.white_y};
+        description.image.signs.chromaticities = Primaries{{double(c.red_x), double(c.red_y)},
+                                                           {double(c.green_x), double(c.green_y)},
+                                                           {double(c.blue_x), double(c.blue_y)},
+                                                           {double(c.white_x), double(c.white_y)}};
         return true;
     }
     const bool ours = own.contains(name) || name.starts_with("specbake:");

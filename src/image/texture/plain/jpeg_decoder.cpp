@@ -2,9 +2,22 @@
 
 #include <specbake/core/error.h>
 
+#include <cstdlib>
+#include <memory>
 #include <string_view>
 
 namespace specbake::internal {
+namespace {
+
+constexpr int kIccMarker = JPEG_APP0 + 2;
+
+std::vector<std::string> namesOf(int components) {
+    if (components == 1) return {"Y"};
+    if (components == 4) return {"C", "M", "Y", "K"};
+    return {"R", "G", "B"};
+}
+
+}  // namespace
 
 /// libjpeg leaves a call that went wrong by longjmp, past frames that own nothing.
 template <class Call>
@@ -25,7 +38,10 @@ void JpegDecoder::onError(j_common_ptr jpeg) {
 
 /// Level -1 warns of damaged data, for which libjpeg makes up pixels.
 void JpegDecoder::onMessage(j_common_ptr jpeg, int level) {
-    if (level < 0) onError(jpeg);
+    auto* errors = reinterpret_cast<Errors*>(jpeg->err);
+    if (level >= 0) return;
+    if (!errors->lenient) onError(jpeg);
+    errors->complained = true;
 }
 
 JpegDecoder::JpegDecoder(const std::string& path) : path_(path), stream_(openStream(path)) {
@@ -34,6 +50,7 @@ JpegDecoder::JpegDecoder(const std::string& path) : path_(path), stream_(openStr
     errors_.manager.emit_message = onMessage;
     readHeader();
     describe();
+    readProfile();
     readMarkers();
 }
 
@@ -44,24 +61,28 @@ void JpegDecoder::readHeader() {
         jpeg_create_decompress(&jpeg_);
         jpeg_.mem->max_memory_to_use = mostMemory;
         jpeg_stdio_src(&jpeg_, stream_.get());
-        for (const int marker : {JPEG_APP0 + 1, JPEG_APP0 + 13, JPEG_COM}) {
+        for (const int marker : {JPEG_APP0 + 1, kIccMarker, JPEG_APP0 + 13, JPEG_COM}) {
             jpeg_save_markers(&jpeg_, marker, longestMarker);
         }
         jpeg_read_header(&jpeg_, TRUE);
     });
     checkSides(path_, jpeg_.image_width, jpeg_.image_height);
-    plain_ = jpeg_.num_components == 1 || jpeg_.num_components == 3;
-    if (plain_) {
-        guarded([this] { jpeg_start_decompress(&jpeg_); });
-    }
+    const int components = jpeg_.num_components;
+    plain_ = components == 1 || components == 3 || components == 4;
+    if (!plain_) return;
+    if (components == 4) jpeg_.out_color_space = JCS_CMYK;
+    guarded([this] { jpeg_start_decompress(&jpeg_); });
 }
 
 void JpegDecoder::describe() {
     ImageDescription& d = description_;
     d.data = {0, 0, int(jpeg_.image_width), int(jpeg_.image_height)};
     d.display = d.data;
-    d.channels = jpeg_.num_components == 1 ? std::vector<std::string>{"Y"}
-                                           : std::vector<std::string>{"R", "G", "B"};
+    d.channels = namesOf(jpeg_.num_components);
+    if (jpeg_.num_components == 4) {
+        // Adobe's programs store what ink leaves, and mark their files.
+        d.signs.model = jpeg_.saw_Adobe_marker != 0 ? ColorModel::cmykOnPaper : ColorModel::cmyk;
+    }
     d.sampleType = TexelType::uint8;
     const auto x = float(jpeg_.X_density);
     const auto y = float(jpeg_.Y_density);
@@ -76,8 +97,25 @@ void JpegDecoder::describe() {
     }
 }
 
+/// The profile, which may go through several markers.
+void JpegDecoder::readProfile() {
+    JOCTET* bytes = nullptr;
+    unsigned size = 0;
+    errors_.lenient = true;
+    guarded([&] { jpeg_read_icc_profile(&jpeg_, &bytes, &size); });
+    errors_.lenient = false;
+    if (errors_.complained) {
+        description_.notes.emplace_back("its ICC profile is damaged, and not used");
+    }
+    const std::unique_ptr<JOCTET, decltype(&std::free)> owner(bytes, &std::free);
+    if (bytes != nullptr) {
+        description_.signs.icc.assign(reinterpret_cast<const char*>(bytes), size);
+    }
+}
+
 void JpegDecoder::readMarkers() {
     for (auto* marker = jpeg_.marker_list; marker != nullptr; marker = marker->next) {
+        if (marker->marker == kIccMarker) continue;
         if (marker->marker != JPEG_COM) {
             plain_ = false;
             return;

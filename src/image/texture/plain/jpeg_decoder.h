@@ -12,7 +12,7 @@
 
 namespace specbake::internal {
 
-/// A grey or RGB JPEG, read by libjpeg row by row. Stands before the first row when made.
+/// A grey, RGB or CMYK JPEG, read by libjpeg row by row. Stands before the first row when made.
 class JpegDecoder {
   public:
     /// Throws FileError for what is no JPEG, or none of bounded size.
@@ -22,8 +22,10 @@ class JpegDecoder {
 
     const ImageDescription& description() const { return description_; }
 
-    /// Grey or RGB, and no metadata that other libraries know how to read (Exif, XMP, IPTC).
+    /// Of one, three or four components, and no metadata that other libraries know how to read
+    /// (Exif, XMP, IPTC).
     bool isPlain() const { return plain_; }
+    bool hasInks() const { return jpeg_.num_components == 4; }
 
     /// Throws FileError, also where data lack or are damaged so that libjpeg would make them up.
     void readRow(std::byte* samples);
@@ -34,6 +36,8 @@ class JpegDecoder {
         jpeg_error_mgr manager;
         std::jmp_buf leave;
         std::array<char, JMSG_LENGTH_MAX> message;
+        bool lenient;     ///< a warning does not end the call
+        bool complained;  ///< there was one meanwhile
     };
     /// All zero, as jpeg_destroy_decompress() wants one that was not created.
     struct Decompressor : jpeg_decompress_struct {
@@ -49,6 +53,7 @@ class JpegDecoder {
     static void onMessage(j_common_ptr jpeg, int level);
     void readHeader();
     void describe();
+    void readProfile();
     void readMarkers();
 
     std::string path_;

@@ -1,5 +1,6 @@
 #include "texture/plain/plain_jpeg.h"
 
+#include "texture/openimageio/openimageio_parts.h"
 #include "texture/plain/jpeg_decoder.h"
 #include "texture/sequential_file.h"
 
@@ -8,8 +9,16 @@ namespace specbake::internal {
 std::unique_ptr<ImageFile> openPlainJpeg(const std::string& path) {
     if (!beginsWith(path, "\xff\xd8\xff")) return {};
     auto decoder = std::make_unique<JpegDecoder>(path);
-    if (!decoder->isPlain()) return {};
-    return std::make_unique<SequentialFile<JpegDecoder>>(path, std::move(decoder));
+    ImageDescription description = decoder->description();
+    if (!decoder->isPlain()) {
+        if (!decoder->hasInks()) return {};
+        // OpenImageIO mixes the inks, but knows the metadata.
+        const ImageDescription& rich = openImageIOParts(path).openImage(path, {})->description();
+        description.attributes = rich.attributes;
+        description.notes.insert(description.notes.end(), rich.notes.begin(), rich.notes.end());
+    }
+    return std::make_unique<SequentialFile<JpegDecoder>>(path, std::move(decoder),
+                                                         std::move(description));
 }
 
 }  // namespace specbake::internal

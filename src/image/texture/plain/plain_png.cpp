@@ -12,4 +12,11 @@ std::unique_ptr<ImageFile> openPlainPng(const std::string& path) {
     return std::make_unique<SequentialFile<PngDecoder>>(path, std::move(decoder));
 }
 
+void addPngColorSigns(const std::string& path, ImageDescription& description) {
+    const PngDecoder decoder(path);
+    const ImageDescription& d = decoder.description();
+    description.signs = d.signs;
+    description.notes.insert(description.notes.end(), d.notes.begin(), d.notes.end());
+}
+
 }  // namespace specbake::internal

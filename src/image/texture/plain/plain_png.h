@@ -9,4 +9,7 @@ namespace specbake::internal {
 /// that is damaged or whose size is out of bounds.
 std::unique_ptr<ImageFile> openPlainPng(const std::string& path);
 
+/// What a PNG says of its colours, with remarks on it, for whoever reads its pixels another way.
+void addPngColorSigns(const std::string& path, ImageDescription& description);
+
 }  // namespace specbake::internal

@@ -1,5 +1,6 @@
 #include "texture/plain/png_decoder.h"
 
+#include "texture/color/png_signs.h"
 #include "texture/kept_metadata.h"
 
 #include <specbake/core/error.h>
@@ -9,11 +10,20 @@
 #include <bit>
 #include <csetjmp>
 #include <cstdio>
+#include <span>
+#include <string_view>
 
 namespace specbake::internal {
 namespace {
 
-void ignore(png_structp, png_const_charp) {}
+/// What says how the numbers are meant. Read as they are stored: libpng would judge them, and drop
+/// what it does not like.
+constexpr std::string_view kColorChunks("cICP\0iCCP\0sRGB\0gAMA\0cHRM", 25);
+constexpr int kColorChunkCount = 5;
+
+std::string_view nameOf(const png_unknown_chunk& chunk) {
+    return {reinterpret_cast<const char*>(chunk.name), 4};
+}
 
 bool sameWord(const char* a, const char* b) {
     return strcasecmp(a, b) == 0;
@@ -36,6 +46,14 @@ void PngDecoder::fail() const {
     throw FileError(path_, std::string("PNG: ") + message_.data());
 }
 
+/// libpng goes on after a warning, without the chunk that it is about.
+void PngDecoder::onWarning(png_structp png, png_const_charp message) {
+    auto& self = *static_cast<PngDecoder*>(png_get_error_ptr(png));
+    const std::string_view name = std::string_view(message).substr(0, 4);
+    if (self.rowsRead_ > 0 || kColorChunks.find(name) == std::string_view::npos) return;
+    self.description_.notes.push_back("PNG: " + std::string(message));
+}
+
 void PngDecoder::onError(png_structp png, png_const_charp message) {
     auto& said = static_cast<PngDecoder*>(png_get_error_ptr(png))->message_;
     std::snprintf(said.data(), said.size(), "%s", message);
@@ -43,11 +61,12 @@ void PngDecoder::onError(png_structp png, png_const_charp message) {
 }
 
 PngDecoder::PngDecoder(const std::string& path) : path_(path), stream_(openStream(path)) {
-    png_.read = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, onError, ignore);
+    png_.read = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, onError, onWarning);
     png_.info = png_.read == nullptr ? nullptr : png_create_info_struct(png_.read);
     if (png_.info == nullptr) throw FileError(path_, "PNG: libpng cannot be used");
     readHeader();
     describe();
+    readColorChunks();
     readMetadata();
 }
 
@@ -55,6 +74,9 @@ void PngDecoder::readHeader() {
     guarded([this] {
         png_init_io(png_.read, stream_.get());
         png_set_user_limits(png_.read, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkSides() has ours
+        png_set_keep_unknown_chunks(png_.read, PNG_HANDLE_CHUNK_ALWAYS,
+                                    reinterpret_cast<png_const_bytep>(kColorChunks.data()),
+                                    kColorChunkCount);
         png_read_info(png_.read, png_.info);
         png_set_expand(png_.read);
         if (std::endian::native == std::endian::little) png_set_swap(png_.read);
@@ -99,6 +121,15 @@ void PngDecoder::readText(const char* key, const std::string& text) {
         description_.attributes["DocumentName"] = text;
     } else if (isKeptMetadata(key)) {
         description_.attributes[key] = text;
+    }
+}
+
+void PngDecoder::readColorChunks() {
+    png_unknown_chunkp chunks = nullptr;
+    const int count = png_get_unknown_chunks(png_.read, png_.info, &chunks);
+    for (const png_unknown_chunk& chunk : std::span(chunks, std::size_t(count))) {
+        const std::string_view data(reinterpret_cast<const char*>(chunk.data), chunk.size);
+        readPngColorChunk(nameOf(chunk), data, description_.signs, description_.notes);
     }
 }
 

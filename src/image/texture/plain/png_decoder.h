@@ -44,8 +44,10 @@ class PngDecoder {
     void guarded(Call&& call);
     [[noreturn]] void fail() const;
     [[noreturn]] static void onError(png_structp png, png_const_charp message);
+    static void onWarning(png_structp png, png_const_charp message);
     void readHeader();
     void describe();
+    void readColorChunks();
     void readMetadata();
     void readText(const char* key, const std::string& text);
 

@@ -47,6 +47,9 @@ Layer layerFrom(const std::vector<std::string>& channels, std::string name,
         layer.color = findAll(channels, members,
                               {{"C", "cyan"}, {"M", "magenta"}, {"Y", "yellow"}, {"K", "black"}});
     }
+    if (layer.color.empty()) {
+        layer.color = findAll(channels, members, {{"L*", "L*"}, {"a*", "a*"}, {"b*", "b*"}});
+    }
     layer.vectors = findAll(channels, members, {{"X", "X"}, {"Y", "Y"}, {"Z", "Z"}});
     const int alpha = find(channels, members, "A", "alpha");
     if (alpha >= 0) layer.alpha = alpha;

@@ -20,7 +20,7 @@ bool isAlphaName(std::string_view channel);
 /// The channels of one layer by what they are.
 struct Layer {
     std::string name;
-    std::vector<int> color;    ///< R, G, B, or the four inks; empty if it has no such set
+    std::vector<int> color;    ///< R, G, B, four inks, or Lab; empty if it has no such set
     std::vector<int> vectors;  ///< X, Y, Z
     std::optional<int> alpha;
     std::vector<int> others;  ///< that are neither in `color` nor alpha

@@ -1,5 +1,6 @@
 #include "texture/select/selected_channels.h"
 
+#include "texture/color/lab_and_inks.h"
 #include "texture/select/channel_names.h"
 
 #include <cstring>
@@ -9,7 +10,20 @@
 namespace specbake::internal {
 namespace {
 
+/// Inks and Lab are colours all together, in their order; a part of them are mere numbers.
+void forgetPartialColors(ImageDescription& d, const ChannelChoice& choice) {
+    const std::size_t colors = colorNames(d.signs.model).size();
+    const std::size_t chosen = choice.channels.size() - (choice.alpha ? 1 : 0);
+    bool whole = chosen == colors;
+    for (std::size_t c = 0; whole && c < colors; ++c) whole = choice.channels[c] == int(c);
+    if (whole || colors == 0) return;
+    d.notes.emplace_back("of " + std::string(isLab(d.signs.model) ? "Lab" : "its inks") +
+                         " a part is read: as it is stored, without the meaning of the whole");
+    d.signs = {};
+}
+
 ImageDescription described(ImageDescription d, const ChannelChoice& choice) {
+    forgetPartialColors(d, choice);
     std::vector<std::string> names;
     for (const int c : choice.channels) names.push_back(componentOf(d.channels[std::size_t(c)]));
     d.channels = std::move(names);

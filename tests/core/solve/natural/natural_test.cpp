@@ -3,6 +3,7 @@
 #include "solve/shell.h"
 #include "support/solid_samples.h"
 
+#include <specbake/core/color_space.h>
 #include <specbake/core/vector.h>
 
 #include <doctest/doctest.h>

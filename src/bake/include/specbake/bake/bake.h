@@ -21,8 +21,8 @@ class ModelCache;
 
 /// How a texture is baked. The defaults are those of `specbake bake`.
 struct BakeOptions {
-    ReadOptions read;                  ///< of a texture in a file
-    std::optional<std::string> space;  ///< of colorSpaces(); none: what the texture says
+    ReadOptions read;   ///< of a texture in a file
+    ColorWishes color;  ///< none: what the texture says of its numbers
     UpsamplerOptions model;
     /// Instead of `model.material`, texel by texel: an image of the texture's size whose first
     /// channels are the shares of `mappedMaterials`, in their order: integers from 0 to 1, not
@@ -53,7 +53,10 @@ struct BakeOptions {
 /// What was done, for `--stats` and `-v`.
 struct BakeStatistics {
     std::string space;
+    ColorSource colorSource = ColorSource::user;  ///< who says that it is in that space
+    std::string colorReason;                      ///< the same for people
     std::string illuminant;
+    std::optional<Adaptation> adapted;  ///< if the light is not the space's own white
     std::size_t texels = 0;
     int grid = 0;                      ///< nodes an axis, 0 without a grid
     int bits = 0;                      ///< of the samples' mantissa

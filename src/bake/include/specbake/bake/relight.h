@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/adaptation.h>
 #include <specbake/core/api.h>
 
 #include <filesystem>
@@ -12,10 +13,11 @@ namespace specbake {
 /// How a spectral image is shown under a light. The defaults are those of `specbake relight`.
 struct RelightOptions {
     std::string illuminant = "A";  ///< of illuminantNames()
-    bool adapt = true;             ///< the viewer's eye has adapted to the light: white looks white
-    double exposure = 0;           ///< stops
-    int threads = 0;               ///< 0: all cores
-    std::stop_token stop;          ///< when stopped, relight() throws Cancelled
+    /// How the viewer's eye has adapted to the light: white looks white; none: it shows its tint.
+    Adaptation adapt = Adaptation::bradford;
+    double exposure = 0;                   ///< stops
+    int threads = 0;                       ///< 0: all cores
+    std::stop_token stop;                  ///< when stopped, relight() throws Cancelled
     std::function<void(double)> progress;  ///< called with 0 to 1, from one thread at a time
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <specbake/core/adaptation.h>
 #include <specbake/core/api.h>
+#include <specbake/image/color_meaning.h>
 #include <specbake/image/texture_reader.h>
 
 #include <cstddef>
@@ -10,8 +12,9 @@
 namespace specbake {
 
 struct VerifyOptions {
-    std::optional<std::string> space;       ///< none: what the spectral file names
+    ColorWishes color;                      ///< none: what the spectral file says
     std::optional<std::string> illuminant;  ///< none: what the spectral file names
+    std::optional<Adaptation> adapt;        ///< none: what the spectral file names
     int threads = 0;                        ///< 0: all cores
     ReadOptions read = {};                  ///< what is left open: as the spectral file was made
 };

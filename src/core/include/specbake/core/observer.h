@@ -17,9 +17,11 @@ namespace specbake {
 /// colour-matching functions and illuminant, scaled so that the perfect reflector has Y = 1.
 class SPECBAKE_API Observer {
   public:
-    /// An illuminant of `illuminantNames()`. Throws ArgumentError for another name.
+    /// An illuminant of `illuminantNames()`, in any case. Throws ArgumentError for another name,
+    /// and says which known one is near.
     explicit Observer(std::string_view illuminant);
 
+    /// As `illuminantNames()` has it.
     const std::string& illuminant() const { return illuminant_; }
     /// Of the colour-matching functions.
     std::string_view name() const { return "CIE 1931 2 degree, 5 nm"; }
@@ -41,5 +43,8 @@ class SPECBAKE_API Observer {
 
 /// The illuminants that are offered: E, A, C, D50, D55, D60, D65, D75, F2, F11.
 SPECBAKE_API const std::vector<std::string>& illuminantNames();
+
+/// Whether it is one of them, in any case. `reason`, if it is given, says why not: one line.
+[[nodiscard]] SPECBAKE_API bool isIlluminant(std::string_view name, std::string* reason = nullptr);
 
 }  // namespace specbake

@@ -2,6 +2,7 @@
 
 #include <specbake/core/api.h>
 #include <specbake/core/color_census.h>
+#include <specbake/core/color_space.h>
 #include <specbake/core/observer.h>
 #include <specbake/core/sampling.h>
 #include <specbake/core/solver.h>

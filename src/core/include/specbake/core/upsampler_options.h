@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/adaptation.h>
 #include <specbake/core/api.h>
 #include <specbake/core/measured_sample.h>
 #include <specbake/core/outside.h>
@@ -19,6 +20,8 @@ inline constexpr int kDefaultGridNodes = 17;
 struct UpsamplerOptions {
     /// The light under which the colours hold, of illuminantNames(); none: the space's own white.
     std::optional<std::string> illuminant;
+    /// For a light that is not the space's own white (isAdapted()).
+    Adaptation adapt = Adaptation::bradford;
     std::string method = "smooth";  ///< of methods()
     /// Of materialNames(): near the colours of its samples, spectra are those of that material.
     std::optional<std::string> material;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <specbake/core/api.h>
-#include <specbake/core/color.h>
+#include <specbake/image/color_meaning.h>
 #include <specbake/image/image_types.h>
 
 #include <cstddef>
@@ -18,11 +18,12 @@ struct TextureInfo {
     Window data;       ///< where there are pixels
     Window display;    ///< what is meant to be seen
     float pixelAspectRatio = 1;
-    int channels = 0;                         ///< 1 to 4, alpha included
+    int channels = 0;                         ///< 1 to 5, alpha included
+    ColorModel model = ColorModel::rgb;       ///< of the channels of colour
     std::optional<int> alpha;                 ///< the index of the alpha channel
     bool associatedAlpha = false;             ///< stored colour is multiplied by alpha
     TexelType sampleType = TexelType::uint8;  ///< as stored, or the next larger that is offered
-    ColorSpace automaticSpace;                ///< what `--space auto` means for this texture
+    ColorMeaning color;                       ///< what the texture itself says of its numbers
     Attributes attributes;                    ///< metadata worth keeping
     std::vector<std::string> notes;           ///< one line each on what of the file is not used
 
