@@ -14,8 +14,7 @@ auto allOf(const UpsamplerOptions& options) {
 
 auto allOf(const ColorSpace& space) {
     const auto& [name, transfer, primaries, illuminant] = space;
-    const auto& [gamma, offset, divisor, slope, knee] = transfer;
-    return std::tie(name, gamma, offset, divisor, slope, knee, primaries, illuminant);
+    return std::tie(name, transfer, primaries, illuminant);
 }
 
 }  // namespace

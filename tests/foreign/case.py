@@ -28,6 +28,7 @@ class Picture:
     color: numpy.ndarray  # height, width, 3
     alpha: typing.Optional[numpy.ndarray] = None  # height, width; 0 to 1
     is_xyz: bool = False
+    white: typing.Optional[numpy.ndarray] = None  # of XYZ: adapted to the light of the bake
     compared: typing.Optional[numpy.ndarray] = None  # height, width; None: all texels
     encoded: typing.Optional[numpy.ndarray] = None  # sRGB from which color came
 
@@ -74,6 +75,10 @@ def baked_colors(path, illuminant):
     spectra = numpy.stack([channels[n] for n in bands], axis=-1).astype(numpy.float64)
     assert spectra.min() >= 0 and spectra.max() <= 1
     return spectra @ color.weights(illuminant), channels.get("A")
+
+
+def light_of(path):
+    return exr.read(path)[1]["specbake:illuminant"].decode()
 
 
 def differences(picture, xyz, alpha, illuminant):
@@ -129,7 +134,10 @@ def judge(case, program, work):
 
 def compare(case, program, source, baked, outcome):
     picture = case.decode(source)
-    illuminant = "E" if picture.is_xyz else "D65"
+    illuminant = light_of(baked)
+    if picture.white is not None:
+        light = color.weights(illuminant).sum(axis=0)
+        picture.color = picture.color @ color.bradford(picture.white, light)
     xyz, alpha = baked_colors(baked, illuminant)
     try:
         de = differences(picture, xyz, numpy.float32(1) + 0 * xyz[..., 0] if alpha is None

@@ -31,6 +31,15 @@ def rgb_to_xyz(white, primaries=REC709):
     return columns * numpy.linalg.solve(columns, white)
 
 
+def bradford(white, other):
+    """For row vectors: what looks beside the other white as a colour does beside the one (ICC.1,
+    annex E)."""
+    cones = numpy.array([[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367],
+                         [0.0389, -0.0685, 1.0296]])
+    gains = (cones @ other) / (cones @ white)
+    return (numpy.linalg.inv(cones) @ (gains[:, None] * cones)).T
+
+
 def linear_from_srgb(v):
     v = numpy.asarray(v, numpy.float64)
     return numpy.where(v <= 0.04045, v / 12.92, ((numpy.maximum(v, 0) + 0.055) / 1.055) ** 2.4)

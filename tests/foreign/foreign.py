@@ -16,10 +16,10 @@ import pathlib
 import shutil
 import sys
 
-ROOMS = ["formats", "layers", "turned"]
+ROOMS = ["formats", "layers", "turned", "profiles"]
 PROGRAMS = ["convert", "identify", "gif2rgb", "cwebp", "dwebp", "raw2tiff", "tiffcp",
             "exiftool",
-            "exrheader"]
+            "exrheader", "transicc"]
 SKIPPED = 77
 BEGIN, END = "<!-- rows: tests/foreign -->\n", "<!-- end of rows -->\n"
 

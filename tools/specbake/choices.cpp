@@ -161,9 +161,6 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::st
         ->check(CLI::IsMember(methodNames()))
         ->each([&arguments](const std::string&) { arguments.methodGiven = true; })
         ->capture_default_str();
-}
-
-void addOutsideOption(CLI::App& command, ModelArguments& arguments) {
     command
         .add_option("--material", arguments.material,
                     "near the colours of measured samples of it, spectra are those of this "
@@ -172,6 +169,9 @@ void addOutsideOption(CLI::App& command, ModelArguments& arguments) {
     command.add_option("--samples", arguments.samples,
                        "measured spectra of yours, on top of natural: at their colours spectra are "
                        "theirs. CSV, a sample or a wavelength a row, or CGATS");
+}
+
+void addOutsideOption(CLI::App& command, ModelArguments& arguments) {
     command
         .add_option("--outside", arguments.outside,
                     "colours that no reflectance has: the nearest one; the brightest of the same "

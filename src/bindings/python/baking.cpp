@@ -202,9 +202,9 @@ threads: 0 for all cores. progress: called with 0 to 1. Ctrl-C stops it.
 
 Returns BakeStatistics. Raises FileError, ArgumentError.)");
     module.def("relight", &relightWithArguments, py::arg("spectral"), py::arg("picture"),
-               py::kw_only(), py::arg("light") = r.illuminant, py::arg("adapt") = r.adapt != Adaptation::none,
-               py::arg("exposure") = r.exposure, py::arg("threads") = r.threads,
-               py::arg("progress") = py::none(), R"(
+               py::kw_only(), py::arg("light") = r.illuminant,
+               py::arg("adapt") = r.adapt != Adaptation::none, py::arg("exposure") = r.exposure,
+               py::arg("threads") = r.threads, py::arg("progress") = py::none(), R"(
 The spectral image as it looks under a light, to a picture: linear Rec.709 for EXR and HDR, 8-bit
 sRGB for other formats.
 

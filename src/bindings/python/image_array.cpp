@@ -2,7 +2,6 @@
 
 #include "arrays.h"
 #include "color_array.h"
-#include "model_options.h"
 
 #include <specbake/core/error.h>
 
@@ -56,7 +55,7 @@ ImageArray::ImageArray(const py::array& array, const std::optional<std::string>&
     image_.channels = array_.ndim() < 3 ? 1 : int(array_.shape(2));
     if (image_.channels % 2 == 0) image_.alpha = image_.channels - 1;
     image_.sampleType = *type;
-    image_.space = spaceNamed(space.value_or(integer ? "srgb" : "lin_rec709"));
+    image_.space = colorSpaceNamed(space.value_or(integer ? "srgb" : "lin_rec709"));
     image_.rowStride = std::size_t(array_.strides(0));
     const std::size_t row =
         std::size_t(image_.width) * std::size_t(image_.channels) * bytesPerSample(*type);

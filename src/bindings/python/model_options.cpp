@@ -5,10 +5,6 @@
 
 namespace specbake::python {
 
-const ColorSpace& spaceNamed(const std::string& name) {
-    return colorSpaceNamed(name);
-}
-
 UpsamplerOptions modelOptions(const std::optional<std::string>& light,
                               const std::optional<std::string>& method, const std::string& outside,
                               std::optional<int> grid, const std::optional<std::string>& material,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <specbake/core/color_space.h>
 #include <specbake/core/upsampler_options.h>
 
 #include <filesystem>
@@ -8,9 +7,6 @@
 #include <string>
 
 namespace specbake::python {
-
-/// The space of that name. Throws ArgumentError.
-const ColorSpace& spaceNamed(const std::string& name);
 
 /// How colours become spectra, of the words that Python has for it. Throws ArgumentError.
 /// `method`: none for the default, which is natural where there are a material or samples.

@@ -3,7 +3,6 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "color_array.h"
-#include "model_options.h"
 #include "runs.h"
 
 #include <specbake/core/error.h>
@@ -99,7 +98,7 @@ py::dict errors(const Table& table) {
 py::array spectra(const Table& table, const py::object& asked,
                   const std::optional<std::vector<float>>& wavelengths, int threads) {
     const SpectralTable& view = table.view();
-    const ColorArray colors(asked, spaceNamed("lin_rec709"));  // any linear space
+    const ColorArray colors(asked, colorSpaceNamed("lin_rec709"));  // any linear space
     std::vector<SpectralTable::Wavelengths<1>> at;
     for (const float nm : wavelengths.value_or(std::vector<float>())) {
         at.push_back(view.wavelengths<1>({nm}));

@@ -27,7 +27,7 @@ Upsampler made(const std::string& space, const std::optional<std::string>& light
                const std::optional<std::string>& method, const std::string& outside,
                std::optional<int> grid, const std::optional<std::string>& material,
                const std::optional<std::filesystem::path>& samples) {
-    return Upsampler(spaceNamed(space),
+    return Upsampler(colorSpaceNamed(space),
                      modelOptions(light, method, outside, grid, material, samples));
 }
 

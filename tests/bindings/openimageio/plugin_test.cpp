@@ -163,7 +163,7 @@ TEST_CASE("options of a text file are those of a bake") {
                    stand.baked(kImages + "rgba8.png", options));
     BakeOptions few;
     few.bits = 6;
-    few.space = "lin_rec709";
+    few.color.space = "lin_rec709";
     few.read.channels = {"G"};
     few.model.grid = 9;
     checkSameImage(stand.recipe("b.spectral", source + "bits = 6\nspace = lin_rec709\n"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace specbake::internal {
@@ -55,6 +56,7 @@ std::vector<float> sampledCurve(const cmsToneCurve& curve) {
     std::vector<float> values(kCurveSize);
     for (std::size_t i = 0; i < kCurveSize; ++i) {
         values[i] = cmsEvalToneCurveFloat(&curve, float(double(i) / double(kCurveSize - 1)));
+        if (!std::isfinite(values[i])) throw ProfileError("a curve that leads beyond all numbers");
     }
     return values;
 }

@@ -53,7 +53,7 @@ class IccProfile {
 /// The white of the profile connection space, D50.
 XYZ pcsWhite();
 
-/// Values at i / 65535 of a curve.
+/// Values at i / 65535 of a curve. Throws ProfileError where one is not finite.
 std::vector<float> sampledCurve(const cmsToneCurve& curve);
 
 /// FNV-1a of 64 bits, in hexadecimal digits.

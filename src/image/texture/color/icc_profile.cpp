@@ -53,13 +53,16 @@ class ProfileTransform : public PixelTransform {
             for (std::size_t i = 0; i < some; ++i) {
                 const Imath::V3d color =
                     Imath::V3d(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]) * linearFromXYZ_;
-                linear[done + i] = {float(color.x), float(color.y), float(color.z)};
+                linear[done + i] = {finite(color.x), finite(color.y), finite(color.z)};
             }
         }
     }
 
   private:
     static constexpr std::size_t kRun = 64;
+
+    /// Damaged tables may lead beyond all numbers: to black.
+    static float finite(double value) { return std::isfinite(value) ? float(value) : 0.0F; }
 
     /// Little CMS counts inks in percent.
     float deviceValue(float stored) const {
@@ -69,15 +72,16 @@ class ProfileTransform : public PixelTransform {
 
     /// Tables have their white to 16 bits: the rest is made good, lest white paper be grey.
     void scaleToWhite() {
-        constexpr float roundings = 2e-3F;
-        const float white = channels_ == 4 && !onPaper_ ? 0.0F : 1.0F;
-        const std::array<float, 4> stored = {white, white, white, white};
-        std::array<float, 3> linear{};
-        run(stored.data(), 1, &linear);
+        constexpr double roundings = 2e-3;
+        std::array<float, 4> device{};  // no ink
+        if (channels_ != 4) device.fill(1);
+        std::array<double, 3> xyz{};
+        cmsDoTransform(transform_.get(), device.data(), xyz.data(), 1);
+        const Imath::V3d white = Imath::V3d(xyz[0], xyz[1], xyz[2]) * linearFromXYZ_;
         Imath::M33d gains;
-        for (std::size_t c = 0; c < 3; ++c) {
-            if (!(std::abs(linear[c] - 1) < roundings)) return;
-            gains[int(c)][int(c)] = 1 / double(linear[c]);
+        for (int c = 0; c < 3; ++c) {
+            if (!(std::abs(white[c] - 1) < roundings)) return;
+            gains[c][c] = 1 / white[c];
         }
         linearFromXYZ_ = linearFromXYZ_ * gains;
     }
