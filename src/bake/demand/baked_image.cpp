@@ -98,7 +98,8 @@ struct BakedImage::Implementation {
         UpsamplerOptions model = options.model;
         if (options.maxDeviation && model.grid) {
             ModelCache models;
-            model.grid = chooseGrid(source, meaning.space, model, *options.maxDeviation, models).nodes;
+            model.grid =
+                chooseGrid(source, meaning.space, model, *options.maxDeviation, models).nodes;
         }
         return model;
     }

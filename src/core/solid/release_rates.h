@@ -14,7 +14,7 @@ namespace specbake::internal {
 /// to a colour falls fastest.
 class ReleaseRates {
   public:
-    static constexpr std::size_t kSlots = (kBandCount + 15) / 16 * 16;
+    static constexpr std::size_t kSlots = (std::size_t(kBandCount) + 15) / 16 * 16;
     static constexpr std::size_t kNone = kSlots;
 
     /// +1 for a generator that may rise from 0, −1 for one that may fall from 1, 0 for others.

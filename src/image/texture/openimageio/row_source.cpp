@@ -3,7 +3,7 @@
 #include "texture/openimageio/one_line.h"
 #include "texture/openimageio/quirks.h"
 #include "texture/openimageio/subimages.h"
-#include "texture/openimageio/webp_exif.h"
+#include "texture/openimageio/webp_chunks.h"
 
 #include <specbake/core/error.h>
 
@@ -22,6 +22,12 @@ RowSource::RowSource(std::string path, int subimage, bool raw)
       remarks_(correctQuirks(input_->format_name(), spec_)) {
     if (input_->format_name() == std::string_view("webp")) {
         spec_["Orientation"] = webpOrientation(path_);
+        const std::string profile = webpProfile(path_);
+        if (!profile.empty()) {
+            spec_.attribute("ICCProfile",
+                            OIIO::TypeDesc(OIIO::TypeDesc::UINT8, int(profile.size())),
+                            profile.data());
+        }
     }
     checkConsistency(path_, spec_);
 }

@@ -7,6 +7,7 @@
 #include "support/solid_samples.h"
 
 #include <specbake/core/ciede2000.h>
+#include <specbake/core/color_space.h>
 #include <specbake/core/vector.h>
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-#include "texture/openimageio/webp_exif.h"
+#include "texture/openimageio/webp_chunks.h"
 
 #include <array>
 #include <cstddef>
@@ -59,14 +59,14 @@ std::optional<ChunkHead> nextChunk(std::istream& in) {
     return head;
 }
 
-/// The content of chunk EXIF; empty if there is none of bounded size.
-std::string exifOf(const std::string& path) {
+/// The content of a chunk; empty if there is none of bounded size.
+std::string chunkOf(const std::string& path, std::string_view name) {
     constexpr std::uint32_t mostBytes = 1U << 24U;
     std::ifstream in(path, std::ios::binary);
     in.seekg(12);  // "RIFF", a size, "WEBP"
     while (const auto head = nextChunk(in)) {
         const std::uint32_t size = head->size();
-        if (head->name() == "EXIF" && size <= mostBytes) {
+        if (head->name() == name && size <= mostBytes) {
             std::string content(size, '\0');
             in.read(content.data(), std::streamsize(size));
             return in ? content : std::string();
@@ -79,11 +79,15 @@ std::string exifOf(const std::string& path) {
 }  // namespace
 
 int webpOrientation(const std::string& path) {
-    const std::string content = exifOf(path);
+    const std::string content = chunkOf(path, "EXIF");
     std::string_view exif = content;
     constexpr std::string_view ofJpeg("Exif\0\0", 6);  // some programs write it here too
     if (exif.starts_with(ofJpeg)) exif.remove_prefix(ofJpeg.size());
     return orientationIn(exif);
+}
+
+std::string webpProfile(const std::string& path) {
+    return chunkOf(path, "ICCP");
 }
 
 }  // namespace specbake::internal

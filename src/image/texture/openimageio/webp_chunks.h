@@ -8,4 +8,7 @@ namespace specbake::internal {
 /// first six bytes; 1 if the file says nothing of it.
 int webpOrientation(const std::string& path);
 
+/// The ICC profile of a WebP, which OpenImageIO 2.4.7 passes over; empty if it has none.
+std::string webpProfile(const std::string& path);
+
 }  // namespace specbake::internal
