@@ -245,7 +245,7 @@ def container_rows():
             ("JPEG 2000", "pro.jp2", attached, "Pillow, exiftool")):
         yield Case(fmt, "8-bit, ICC profile ProPhotoRGB", maker, "transicc", name, make,
                    lambda path: read(path, samples), limit=MATRIX,
-                   says=OUTSIDE if fmt != "PSD" else "")
+                   says=OUTSIDE if fmt != "PSD" else "of its parts 0, 1")
     yield Case("JPEG", "4:4:4, ICC profile ProPhotoRGB", "Pillow", "Pillow, transicc", "pro.jpg",
                pillow(quality=98, subsampling=0),
                lambda path: read(path, numpy.array(Image.open(path))), limit=MATRIX, says=OUTSIDE)
