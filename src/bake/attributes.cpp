@@ -2,6 +2,8 @@
 
 #include <specbake/version.h>
 
+#include <fmt/format.h>
+
 namespace specbake::internal {
 namespace {
 
@@ -46,9 +48,7 @@ Attributes bakedAttributes(const Attributes& texture, const ColorMeaning& meanin
 
 void addMaterials(Attributes& attributes, const std::vector<std::string>& materials,
                   const std::filesystem::path& map) {
-    std::string names;
-    for (const std::string& material : materials) names += (names.empty() ? "" : ",") + material;
-    attributes["specbake:material"] = names;
+    attributes["specbake:material"] = fmt::format("{}", fmt::join(materials, ","));
     attributes["specbake:materialMap"] = map.filename().string();
 }
 

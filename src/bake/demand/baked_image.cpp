@@ -83,29 +83,29 @@ struct BakedImage::Implementation {
           meaning(chosenMeaning(info, options.color, unused)),
           decoder(info, meaning),
           source{*texture, decoder, options.threads, options.stop},
-          upsampler(meaning.space, decidedModel()),
+          upsampler(decidedModel()),
           bits(decidedBits()),
           header{info.data, info.display, info.pixelAspectRatio, info.alpha.has_value(),
-                 bakedAttributes(info.attributes, meaning, upsampler,
+                 bakedAttributes(info.attributes, meaning, *upsampler,
                                  half() ? std::optional(bits) : std::nullopt)},
           levels(chunkGrids(info.data.width, info.data.height, options.storage)),
           rows(*texture, memory.texture),
-          blocks(rows, info, decoder, upsampler, levels, memory.levels) {}
+          blocks(rows, info, decoder, *upsampler, levels, memory.levels) {}
 
     bool half() const { return options.storage.sampleType == SampleType::half; }
 
-    UpsamplerOptions decidedModel() const {
+    std::shared_ptr<const Upsampler> decidedModel() const {
+        const auto models = options.models ? options.models : std::make_shared<ModelCache>();
         UpsamplerOptions model = options.model;
         if (options.maxDeviation && model.grid) {
-            ModelCache models;
             model.grid =
-                chooseGrid(source, meaning.space, model, *options.maxDeviation, models).nodes;
+                chooseGrid(source, meaning.space, model, *options.maxDeviation, *models).nodes;
         }
-        return model;
+        return models->model(meaning.space, model);
     }
 
     int decidedBits() const {
-        return options.maxDE && half() ? chooseBits(source, upsampler, *options.maxDE).bits
+        return options.maxDE && half() ? chooseBits(source, *upsampler, *options.maxDE).bits
                                        : options.bits;
     }
 
@@ -156,7 +156,7 @@ struct BakedImage::Implementation {
     ColorMeaning meaning;
     TexelDecoder decoder;
     TexelSource source;
-    Upsampler upsampler;
+    std::shared_ptr<const Upsampler> upsampler;
     int bits;
     SpectralHeader header;
     std::vector<ChunkGrid> levels;

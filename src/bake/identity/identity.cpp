@@ -2,6 +2,8 @@
 
 #include <specbake/image/file_fingerprint.h>
 
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
 
@@ -15,13 +17,8 @@ std::string decimal(double value) {
     return {text.data(), end};
 }
 
-std::string joined(const std::vector<std::string>& words, const std::string& between) {
-    std::string text;
-    for (const std::string& word : words) {
-        if (!text.empty()) text += between;
-        text += word;
-    }
-    return text;
+std::string joined(const std::vector<std::string>& words, std::string_view between) {
+    return fmt::format("{}", fmt::join(words, between));
 }
 
 std::string described(const ReadOptions& read) {

@@ -1,10 +1,8 @@
 #include "solve/samples/samples_solver.h"
 
-#include "solve/natural/natural.h"
 #include "solve/natural/place.h"
 
 #include <specbake/core/ciede2000.h>
-#include <specbake/core/vector.h>
 
 #include <algorithm>
 #include <utility>
@@ -65,26 +63,11 @@ double difference(const Observer& lamp, const Missed& missed, const std::vector<
 
 SamplesSolver::SamplesSolver(const Observer& observer, std::shared_ptr<const Solver> base,
                              const std::vector<MeasuredSample>& samples, const FieldShape& shape)
-    : observer_(observer),
-      base_(std::move(base)),
-      field_(fieldOf(missedBy(*base_, observer, samples), shape)) {}
+    : MovedSolver(observer, std::move(base)),
+      field_(fieldOf(missedBy(this->base(), observer, samples), shape)) {}
 
-Solution SamplesSolver::solve(const XYZ& color) const {
-    Solution solution = base_->solve(color);
-    move(color, solution);
-    return solution;
-}
-
-void SamplesSolver::solveMany(std::span<const XYZ> colors, std::span<Solution> solutions) const {
-    base_->solveMany(colors, solutions);
-    for (std::size_t i = 0; i < colors.size(); ++i) move(colors[i], solutions[i]);
-}
-
-void SamplesSolver::move(const XYZ& color, Solution& solution) const {
-    if (!solution.solved()) return;
-    const Spectrum v = field_.at(placeOf(color, observer_.white()));
-    solution.spectrum = movedWithinBounds(solution.spectrum, v);
-    solution.report.residual = largestComponent(observer_.color(solution.spectrum) - color);
+Spectrum SamplesSolver::direction(const XYZ& color) const {
+    return field_.at(placeOf(color, observer().white()));
 }
 
 ShapeChoice chooseShape(const Observer& observer, const Solver& base,

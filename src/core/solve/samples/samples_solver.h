@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solve/natural/moved_solver.h"
 #include "solve/samples/sample_field.h"
 
 #include <specbake/core/measured_sample.h>
@@ -23,22 +24,16 @@ namespace specbake::internal {
 ///
 /// Constrained uplifting as productions ask for it (L. Tódová, A. Wilkie, L. Fascione,
 /// "Moment-based constrained spectral uplifting", EGSR 2021), with exact colours.
-class SamplesSolver : public Solver {
+class SamplesSolver : public MovedSolver {
   public:
     /// `base` is the observer's; samples are of distinct colours (distinct_samples.h). A sample
     /// that the base does not solve, on the boundary of the solid, is left out.
     SamplesSolver(const Observer& observer, std::shared_ptr<const Solver> base,
                   const std::vector<MeasuredSample>& samples, const FieldShape& shape = {});
 
-    /// Status, effort and `blended` are the base's; the residual is that of the result.
-    Solution solve(const XYZ& color) const override;
-    void solveMany(std::span<const XYZ> colors, std::span<Solution> solutions) const override;
-
   private:
-    void move(const XYZ& color, Solution& solution) const;
+    Spectrum direction(const XYZ& color) const override;
 
-    Observer observer_;
-    std::shared_ptr<const Solver> base_;
     SampleField field_;
 };
 
