@@ -52,4 +52,10 @@ void addMaterials(Attributes& attributes, const std::vector<std::string>& materi
     attributes["specbake:materialMap"] = map.filename().string();
 }
 
+void addSecond(Attributes& attributes, const std::string& light,
+               const std::filesystem::path& image) {
+    attributes["specbake:secondIlluminant"] = light;
+    attributes["specbake:secondImage"] = image.filename().string();
+}
+
 }  // namespace specbake::internal

@@ -20,4 +20,8 @@ Attributes bakedAttributes(const Attributes& texture, const ColorMeaning& meanin
 void addMaterials(Attributes& attributes, const std::vector<std::string>& materials,
                   const std::filesystem::path& map);
 
+/// The second light, and the file with the colours under it.
+void addSecond(Attributes& attributes, const std::string& light,
+               const std::filesystem::path& image);
+
 }  // namespace specbake::internal

@@ -1,8 +1,9 @@
 #include "attributes.h"
 #include "baking.h"
+#include "beside/material_map.h"
+#include "beside/second_colors.h"
 #include "choose/tolerances.h"
 #include "identity/identity.h"
-#include "material/material_map.h"
 #include "watched_texture.h"
 
 #include <specbake/bake/bake.h>
@@ -42,10 +43,8 @@ class Job {
           source_{watched_, decoder_, options.threads, options.stop},
           upsampler_(models_->model(meaning_.space, decidedModel())),
           bits_(decidedBits()) {
-        if (!options_.materialMap) return;
-        mapImage_.emplace(options_.materialMap->string());
-        map_.emplace(*mapImage_, texture.info(), meaning_.space, upsampler_->options(),
-                     options_.mappedMaterials);
+        openMap();
+        openSecond();
     }
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
@@ -55,6 +54,7 @@ class Job {
         Attributes attributes = bakedAttributes(info.attributes, meaning_, *upsampler_,
                                                 half() ? std::optional(bits_) : std::nullopt);
         if (map_) addMaterials(attributes, options_.mappedMaterials, *options_.materialMap);
+        if (second_) addSecond(attributes, options_.secondLight, *options_.second);
         return {info.data, info.display, info.pixelAspectRatio, info.alpha.has_value(),
                 std::move(attributes)};
     }
@@ -65,7 +65,9 @@ class Job {
     }
 
     BakeStatistics run(SpectralSink& sink) {
-        Baking baking(source_, *upsampler_, map_ ? &*map_ : nullptr, sink, bits_);
+        Baking baking(source_, *upsampler_, sink, bits_);
+        if (map_) baking.add(*map_);
+        if (second_) baking.add(*second_);
         const ColorCensus census = baking.run(options_.progress);
         const TextureInfo& info = source_.info();
         statistics_.space = upsampler_->space().name;
@@ -81,6 +83,9 @@ class Job {
         statistics_.directTexels = census.of(Fate::solved).count + census.of(Fate::moved).count;
         statistics_.outsideTexels = census.of(Fate::moved).count;
         statistics_.largestMove = census.largestMove();
+        statistics_.secondIlluminant = options_.secondLight;
+        statistics_.secondMissed = baking.besideCensus().missed;
+        statistics_.largestSecondMiss = baking.besideCensus().largest;
         statistics_.nodesSolved = upsampler_->nodesSolved();
         statistics_.notes = info.notes;
         statistics_.notes.insert(statistics_.notes.end(), unused_.begin(), unused_.end());
@@ -89,11 +94,35 @@ class Job {
                 "its texels are unit vectors around (0.5, 0.5, 1): normals, it seems, no colours");
         }
         std::ranges::copy(upsampler_->notes(), std::back_inserter(statistics_.notes));
+        for (const std::string& note : unusedOfSecond_) {
+            statistics_.notes.push_back(options_.second->string() + ": " + note);
+        }
         return statistics_;
     }
 
   private:
     bool half() const { return options_.storage.sampleType == SampleType::half; }
+
+    void openMap() {
+        if (!options_.materialMap) return;
+        mapImage_.emplace(options_.materialMap->string());
+        map_.emplace(*mapImage_, watched_.info(), meaning_.space, upsampler_->options(),
+                     options_.mappedMaterials);
+    }
+
+    void openSecond() {
+        if (!options_.second) return;
+        const Observer& first = upsampler_->observer();
+        options_.secondLight = Observer(options_.secondLight).illuminant();
+        if (options_.secondLight == first.illuminant()) {
+            throw ArgumentError("the second light is the first, " + options_.secondLight);
+        }
+        secondImage_.emplace(options_.second->string());
+        const ColorMeaning meaning =
+            chosenMeaning(secondImage_->info(), options_.color, unusedOfSecond_);
+        second_.emplace(*secondImage_, watched_.info(), meaning, first, options_.secondLight,
+                        upsampler_->options().adapt);
+    }
 
     UpsamplerOptions decidedModel() {
         UpsamplerOptions model = options_.model;
@@ -127,6 +156,9 @@ class Job {
     int bits_;
     std::optional<TextureReader> mapImage_;
     std::optional<MaterialMap> map_;
+    std::vector<std::string> unusedOfSecond_;
+    std::optional<TextureReader> secondImage_;
+    std::optional<SecondColors> second_;
 };
 
 /// How long `work` takes stands in the statistics that it returns.

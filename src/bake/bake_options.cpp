@@ -1,4 +1,5 @@
 #include <specbake/bake/bake.h>
+#include <specbake/core/observer.h>
 
 #include <cmath>
 
@@ -29,9 +30,27 @@ std::string problemOfMap(const BakeOptions& options) {
     return {};
 }
 
+std::string problemOfSecond(const BakeOptions& options) {
+    if (options.second.has_value() != !options.secondLight.empty()) {
+        return "a texture under a second light needs the light, and this the texture";
+    }
+    std::string reason;
+    if (options.second && !isIlluminant(options.secondLight, &reason)) return reason;
+    return {};
+}
+
+std::string problemOfBits(const BakeOptions& options) {
+    if (options.maxDE && (options.materialMap || options.second)) {
+        return "bits are chosen by CIEDE2000 for a texture alone, not with an image beside it";
+    }
+    return {};
+}
+
 /// What is wrong; empty if nothing is.
 std::string problemOf(const BakeOptions& options) {
     std::string problem = problemOfMap(options);
+    if (problem.empty()) problem = problemOfSecond(options);
+    if (problem.empty()) problem = problemOfBits(options);
     if (!problem.empty()) return problem;
     if (!options.read.isValid(&problem)) return problem;
     if (!options.color.isValid(&problem)) return problem;

@@ -40,11 +40,9 @@ std::span<const std::byte> texelsOf(const Window& run, const Band& band, const T
 
 }  // namespace
 
-Baking::Baking(const TexelSource& source, const Upsampler& upsampler, const MaterialMap* map,
-               SpectralSink& sink, int bits)
+Baking::Baking(const TexelSource& source, const Upsampler& upsampler, SpectralSink& sink, int bits)
     : source_(source),
       upsampler_(upsampler),
-      map_(map),
       sink_(sink),
       bits_(bits),
       pyramid_(std::span(sink.levels()).subspan(1), sink.alpha()),
@@ -95,7 +93,9 @@ std::vector<Band> Baking::bandsOf() const {
 
 void Baking::readBand(Band& band) {
     band.stored = rowsOf(source_.texture, band, readAhead_);
-    if (map_ != nullptr) band.materials = rowsOf(map_->image(), band, mappedAhead_);
+    for (Beside& beside : beside_) {
+        band.beside.push_back(rowsOf(beside.image->image(), band, beside.readAhead));
+    }
 }
 
 /// The nodes that a band needs, all threads together: a small texture has no other bands for them.
@@ -137,14 +137,15 @@ void Baking::processBand(Band& band) {
         const std::size_t rowBytes = samples.size() / std::size_t(texels.height);
         for (int row = 0; row < texels.height; ++row) {
             bakeRun(band, {texels.x, texels.y + row, texels.width, 1}, sink_.sampleType(), buffers,
-                    std::span(samples).subspan(std::size_t(row) * rowBytes, rowBytes), band.census);
+                    std::span(samples).subspan(std::size_t(row) * rowBytes, rowBytes), band.census,
+                    band.besideCensus);
         }
         if (band.census.withoutSpectrum() == 0)
             band.packed[i] = sink_.pack(chunk, std::move(samples));
     }
     if (hasLevels() && band.census.withoutSpectrum() == 0) reduceBand(band);
     band.stored = {};
-    band.materials = {};
+    band.beside = {};
 }
 
 /// The rows of the level below whose first tap is in the band.
@@ -169,8 +170,9 @@ TexelRow Baking::unroundedRow(const Band& band, int row) {
     const int width = sink_.levels().front().width;
     TexelRow texels(std::size_t(width) * std::size_t(sink_.channelCount()));
     ColorCensus counted;  // once, when the row's samples were made
+    BesideCensus besideCounted;
     bakeRun(band, {0, row, width, 1}, SampleType::float32, buffers_.local(),
-            std::as_writable_bytes(std::span(texels)), counted);
+            std::as_writable_bytes(std::span(texels)), counted, besideCounted);
     return texels;
 }
 
@@ -184,7 +186,7 @@ void Baking::decodeRun(const Band& band, const Window& run, Buffers& buffers) co
 }
 
 void Baking::bakeRun(const Band& band, const Window& run, SampleType type, Buffers& buffers,
-                     std::span<std::byte> samples, ColorCensus& census) {
+                     std::span<std::byte> samples, ColorCensus& census, BesideCensus& beside) {
     const TextureInfo& info = source_.info();
     const auto count = std::size_t(run.width);
     decodeRun(band, run, buffers);
@@ -192,7 +194,7 @@ void Baking::bakeRun(const Band& band, const Window& run, SampleType type, Buffe
     if (info.alpha) storeSamples(buffers.alpha, type, samples.data());
     const auto colorPlanes = samples.subspan(info.alpha ? plane : 0);
     const auto first = std::size_t(run.y) * std::size_t(info.data.width) + std::size_t(run.x);
-    const bool later = map_ != nullptr || isShort(type);  // stored from floats
+    const bool later = !beside_.empty() || isShort(type);  // stored from floats
     buffers.unrounded.resize(later ? kTexelSamples * count : 0);
     const auto target =
         later ? SampleTarget::planar(SampleType::float32,
@@ -200,9 +202,10 @@ void Baking::bakeRun(const Band& band, const Window& run, SampleType type, Buffe
                                      count * sizeof(float))
               : SampleTarget::planar(type, colorPlanes.data(), plane);
     census.add(upsampler_.sample(buffers.colors, channels_, target, buffers.upsampling), first);
-    if (map_ != nullptr) {
-        map_->mix(buffers.colors, texelsOf(run, band, map_->image().info(), band.materials),
-                  buffers.unrounded, buffers.mixing);
+    for (std::size_t i = 0; i < beside_.size(); ++i) {
+        const ImageBeside& image = *beside_[i].image;
+        image.change(buffers.colors, texelsOf(run, band, image.image().info(), band.beside[i]),
+                     buffers.unrounded, beside);
     }
     if (later) store(buffers.unrounded, type, colorPlanes.data());
 }
@@ -217,6 +220,7 @@ void Baking::store(std::span<const float> samples, SampleType type, std::byte* t
 
 void Baking::writeBand(Band& band) {
     census_.add(band.census);
+    besideCensus_.add(band.besideCensus);
     if (census_.withoutSpectrum() > 0) return;
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         sink_.write(band.firstChunk + int(i), band.packed[i]);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "band.h"
-#include "material/material_map.h"
 #include "mip/level_tiles.h"
 #include "texel_source.h"
 
@@ -21,14 +20,18 @@ namespace specbake::internal {
 /// One texture on its way to a sink: what the three stages of the pipeline share.
 class Baking {
   public:
-    /// `map`: of materials, or null. `bits`: of the mantissa of half samples. All that it is given
-    /// must outlive it.
-    Baking(const TexelSource& source, const Upsampler& upsampler, const MaterialMap* map,
-           SpectralSink& sink, int bits);
+    /// `bits`: of the mantissa of half samples. All that it is given must outlive it.
+    Baking(const TexelSource& source, const Upsampler& upsampler, SpectralSink& sink, int bits);
+
+    /// Before run(). Images change samples in the order in which they were added.
+    void add(const ImageBeside& image) { beside_.push_back({&image, {}}); }
 
     /// All rows, read, solved, packed and written. Throws FileError for texels that have no
     /// spectrum, naming the first, and Cancelled.
     ColorCensus run(const std::function<void(double)>& progress);
+
+    /// After run(): of all texels.
+    const BesideCensus& besideCensus() const { return besideCensus_; }
 
   private:
     std::vector<Band> bandsOf() const;
@@ -47,7 +50,6 @@ class Baking {
         std::vector<float> alpha;
         std::vector<float> unrounded;  ///< samples, where they are mixed or get fewer bits
         Upsampler::Workspace upsampling;
-        MaterialMap::Buffers mixing;
     };
     void solveNodes(const Band& band);
     std::size_t noteNodes(const Band& band, int row);
@@ -55,21 +57,25 @@ class Baking {
     void decodeRun(const Band& band, const Window& run, Buffers& buffers) const;
     /// Samples of some neighbours in one row, plane by plane.
     void bakeRun(const Band& band, const Window& run, SampleType type, Buffers& buffers,
-                 std::span<std::byte> samples, ColorCensus& census);
+                 std::span<std::byte> samples, ColorCensus& census, BesideCensus& beside);
     void store(std::span<const float> samples, SampleType type, std::byte* to) const;
     TexelRow unroundedRow(const Band& band, int row);
 
     const TexelSource& source_;
     const Upsampler& upsampler_;
-    const MaterialMap* map_;
+    struct Beside {
+        const ImageBeside* image;
+        std::vector<std::byte> readAhead;
+    };
+    std::vector<Beside> beside_;
     SpectralSink& sink_;
     int bits_;
     SampleSelection channels_ = SampleSelection::channels();
-    std::vector<std::byte> readAhead_;    ///< of the texture
-    std::vector<std::byte> mappedAhead_;  ///< of the map of materials
+    std::vector<std::byte> readAhead_;  ///< of the texture
     Pyramid pyramid_;
     LevelTiles levelTiles_;
     ColorCensus census_;
+    BesideCensus besideCensus_;
     tbb::enumerable_thread_specific<Buffers> buffers_;
     /// Memory of chunks that are written, for those to come: fresh pages cost more than a copy.
     tbb::concurrent_queue<std::vector<std::byte>> spare_;

@@ -37,6 +37,7 @@ struct Arguments {
     ColorArguments color;
     ModelArguments model;
     std::string materialMap;  ///< an image, "" for none
+    std::string second;       ///< LIGHT=IMAGE, "" for none
     int grid = kDefaultGridNodes;
     bool perTexel = false;
     std::string sampleType{sampleTypeName(StorageOptions().sampleType)};
@@ -63,12 +64,24 @@ UpsamplerOptions modelOf(const Arguments& a, BakeOptions& options,
     return model.options(notes);
 }
 
+/// "A=IMAGE" to the light and the image.
+void parseSecond(const std::string& text, BakeOptions& options) {
+    if (text.empty()) return;
+    const auto sign = text.find('=');
+    if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
+        throw ArgumentError("--second: LIGHT=IMAGE, as A=lamp.png, not " + text);
+    }
+    options.secondLight = text.substr(0, sign);
+    options.second = text.substr(sign + 1);
+}
+
 /// `notes`: what there is to tell of the files that options name.
 BakeOptions optionsOf(const Arguments& a, std::vector<std::string>& notes) {
     BakeOptions options = a.options;
     options.read = a.read.options();
     options.color = a.color.wishes();
     options.model = modelOf(a, options, notes);
+    parseSecond(a.second, options);
     options.model.grid = a.perTexel ? std::nullopt : std::optional(a.grid);
     options.storage.sampleType = parseSampleType(a.sampleType);
     parseCompression(a.compression, options.storage);
@@ -114,7 +127,8 @@ void writePage(const BakeStatistics& s, const Arguments& a, const std::string& i
 }
 
 void checkOutput(const Arguments& a, const std::string& texture) {
-    for (const std::string& input : {texture, a.materialMap, a.model.samples}) {
+    const std::string second = a.second.substr(a.second.find('=') + 1);
+    for (const std::string& input : {texture, a.materialMap, second, a.model.samples}) {
         std::error_code missing;
         if (!input.empty() && fs::equivalent(input, a.output, missing)) {
             throw ArgumentError(a.output + ": the output is the input");
@@ -163,6 +177,7 @@ bool namesByInput(const std::string& output) {
 ExitCode bakeCommand(const Arguments& a) {
     Inputs inputs = expandInputs(a.inputs);
     if (inputs.single && !namesByInput(a.output)) return bakeOne(a, inputs.all.front().path);
+    if (!a.second.empty()) throw ArgumentError("--second is of one texture, not of several");
     if (!a.reportFile.empty()) throw ArgumentError("--report is of one texture, not of several");
     std::vector<std::string> notes;
     const BakeOptions options = optionsOf(a, notes);
@@ -204,6 +219,11 @@ Command addBake(CLI::App& program) {
                      "(up to three, with commas, in the order of the channels) a texel is, from 0 "
                      "to 1")
         ->needs("--material");
+    command
+        ->add_option("--second", a->second,
+                     "the same texture under a second light: spectra have these colours under it "
+                     "where reflectances have both; white is (1, 1, 1) in both")
+        ->type_name("LIGHT=IMAGE");
     command->add_flag("--per-texel", a->perTexel,
                       "solve every distinct colour by itself, without the grid");
     command->add_option("--grid", a->grid, "nodes of the lookup grid along each axis")

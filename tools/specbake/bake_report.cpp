@@ -33,6 +33,11 @@ Json bakeJson(const std::string& input, const std::string& output, const BakeSta
         json["deviation_of_all"] = s.deviationOfAll;
     }
     if (s.difference) json["de2000"] = *s.difference;
+    if (!s.secondIlluminant.empty()) {
+        json["second_illuminant"] = s.secondIlluminant;
+        json["second_missed_texels"] = s.secondMissed;
+        json["second_max_de2000"] = s.largestSecondMiss;
+    }
     return json;
 }
 
@@ -53,6 +58,13 @@ void printRemarks(const std::string& input, const BakeStatistics& s, const std::
                      "specbake: %s: %zu texels have a colour that no reflectance has; they were "
                      "moved by up to CIEDE2000 %.2f (--outside %s)\n",
                      input.c_str(), s.outsideTexels, s.largestMove, outside.c_str());
+    }
+    if (s.secondMissed > 0) {
+        std::fprintf(stderr,
+                     "specbake: %s: %zu texels have colours that no reflectance has under both %s "
+                     "and %s; the second is off by up to CIEDE2000 %.2f\n",
+                     input.c_str(), s.secondMissed, s.illuminant.c_str(),
+                     s.secondIlluminant.c_str(), s.largestSecondMiss);
     }
 }
 

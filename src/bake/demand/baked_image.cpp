@@ -22,9 +22,11 @@ namespace {
 constexpr int kPiece = 64;
 
 const BakeOptions& checked(const BakeOptions& options) {
-    if (options.materialMap) throw ArgumentError("a material map is for baked files only");
     std::string reason;
     if (!options.isValid(&reason)) throw ArgumentError(reason);
+    if (options.materialMap || options.second) {
+        throw ArgumentError("an image on demand takes no images beside its texture");
+    }
     return options;
 }
 

@@ -38,12 +38,17 @@ std::string described(const ColorWishes& color) {
     return joined(words, ", ");
 }
 
+std::string bytesOf(const std::filesystem::path& image) {
+    return fileFingerprint(image.string()).value_or("no file that could be compared");
+}
+
 /// The map's bytes, and what its channels are.
 std::string describedMap(const BakeOptions& options) {
-    const auto map = fileFingerprint(options.materialMap->string());
-    return joined(options.mappedMaterials, ",")
-        .append(" by a map of ")
-        .append(map.value_or("no file that could be compared"));
+    return joined(options.mappedMaterials, ",") + " by a map of " + bytesOf(*options.materialMap);
+}
+
+std::string describedSecond(const BakeOptions& options) {
+    return "under " + Observer(options.secondLight).illuminant() + " " + bytesOf(*options.second);
 }
 
 std::string precision(const BakeOptions& options) {
@@ -79,6 +84,7 @@ std::string bakeIdentity(const std::string& source, const Upsampler& model,
                                       precision(options), described(options.storage)};
     if (options.color.any()) parts.push_back(described(options.color));
     if (options.materialMap) parts.push_back(describedMap(options));
+    if (options.second) parts.push_back(describedSecond(options));
     return joined(parts, kIdentitySeparator);
 }
 

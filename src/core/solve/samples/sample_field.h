@@ -14,14 +14,14 @@ struct FieldShape {
     double range = 8;     ///< ρ > 0
     double weight = 0.1;  ///< ω >= 0
 
-    /// φ(r) = exp(−r/ρ) + ω exp(−r): positive definite, so that (M15) has one solution; continuous,
+    /// φ(r) = exp(−r/ρ) + ω exp(−r): positive definite, so that (M18) has one solution; continuous,
     /// with finite slope; 0 far away.
     double at(double distance) const;
 };
 
 /// The spectra b_k at the places p_k, carried on to all places (kriging with a covariance φ):
 ///
-///     v(p) = Σ c_k φ(|p − p_k|),   v(p_k) = b_k                                  (M15)
+///     v(p) = Σ c_k φ(|p − p_k|),   v(p_k) = b_k                                  (M18)
 ///
 /// It is linear in the b_k: if those have no colour, v has none.
 class SampleField {

@@ -17,7 +17,7 @@ namespace specbake::internal {
 /// A solver, and on top of it measured samples: what it misses at their colours, b_k (vote.h), is
 /// carried on to the colours about them.
 ///
-///     s(t) = s_base(t) + α v(p(t)),   v(p_k) = b_k                               (M15)
+///     s(t) = s_base(t) + α v(p(t)),   v(p_k) = b_k                               (M18)
 ///
 /// At a sample's colour the result is the sample; far from all samples it is the base's. Exact,
 /// bounded and continuous as NaturalSolver is, by the same α.

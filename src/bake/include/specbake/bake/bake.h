@@ -29,6 +29,10 @@ struct BakeOptions {
     /// decoded. What is left to 1 is of no material; of more than 1 in all, each is its part.
     std::optional<std::filesystem::path> materialMap;
     std::vector<std::string> mappedMaterials;  ///< of materialNames(), at most kMostMapped
+    /// The same texture under a second light: spectra have these colours too, where reflectances
+    /// have both, and else the nearest to them. (1, 1, 1) is the perfect reflector in both.
+    std::optional<std::filesystem::path> second;
+    std::string secondLight;  ///< as isIlluminant() knows it; another than the first
     /// Instead of `model.grid`: the coarsest grid whose spectra deviate by at most this from the
     /// directly solved ones: RMS over the bands and all texels. Every colour of the texture is
     /// solved to know; of more than 2^20 colours a sample of as many.
@@ -67,8 +71,11 @@ struct BakeStatistics {
     std::optional<double> difference;  ///< what maxDE met: the largest CIEDE2000
     std::size_t directTexels = 0;      ///< not, or not only, through the grid
     std::size_t outsideTexels = 0;     ///< whose colour no reflectance has
-    double largestMove = 0;       ///< of these: CIEDE2000 from the colour asked for to that given
-    std::size_t nodesSolved = 0;  ///< of the model, also by those that share it
+    double largestMove = 0;        ///< of these: CIEDE2000 from the colour asked for to that given
+    std::string secondIlluminant;  ///< empty without one
+    std::size_t secondMissed = 0;  ///< texels with another colour under the second light
+    double largestSecondMiss = 0;  ///< of these: CIEDE2000 under that light
+    std::size_t nodesSolved = 0;   ///< of the model, also by those that share it
     double seconds = 0;
     std::vector<std::string> notes;  ///< what of the texture was not used; of samples
 };

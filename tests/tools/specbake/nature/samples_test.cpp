@@ -1,3 +1,4 @@
+#include "nature/printed_color.h"
 #include "process.h"
 #include "read_back.h"
 #include "support/csv.h"
@@ -19,32 +20,11 @@ namespace {
 
 const std::string kChart = SPECBAKE_SOURCE_DIR "/data/colorchecker_24.csv";
 
-/// X, Y, Z of a reflectance under D65, by equation (1) and the printed tables.
 std::vector<std::string> colorUnderD65(const std::vector<double>& reflectance) {
-    const auto functions = readCsv("data/cie1931_2deg_5nm.csv");
-    const auto lights = readCsv("data/illuminants_5nm.csv");
-    // The heading is no row: D65 is the column that solve's own white agrees with, below.
-    std::ifstream file(SPECBAKE_SOURCE_DIR "/data/illuminants_5nm.csv");
-    std::string line;
-    while (std::getline(file, line) && line.starts_with('#')) continue;
-    std::size_t column = 0;
-    for (std::size_t from = 0; line.compare(from, 3, "D65") != 0; ++column) {
-        from = line.find(',', from) + 1;
-        REQUIRE(from != 0);
-    }
-    std::vector<double> color(3, 0);
-    double white = 0;
-    for (std::size_t m = 0; m < functions.size(); ++m) {
-        const double power = std::stod(lights[m].at(column));
-        white += power * std::stod(functions[m][2]);
-        for (std::size_t c = 0; c < 3; ++c) {
-            color[c] += power * std::stod(functions[m][c + 1]) * reflectance[m];
-        }
-    }
     std::vector<std::string> words{"--xyz"};
-    for (const double value : color) {
+    for (const double value : colorUnder("D65", reflectance)) {
         std::string digits(32, '\0');
-        digits.resize(std::size_t(std::snprintf(digits.data(), 32, "%.17g", value / white)));
+        digits.resize(std::size_t(std::snprintf(digits.data(), 32, "%.17g", value)));
         words.push_back(digits);
     }
     return words;
