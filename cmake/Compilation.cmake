@@ -8,3 +8,18 @@ target_compile_options(specbake_compilation INTERFACE
 # The floating-point contract: products and sums are fused where the code says so (std::fma,
 # Highway's MulAdd) and nowhere else, so that a result does not depend on what a compiler likes.
 target_compile_options(specbake_compilation INTERFACE -ffp-contract=off)
+
+# Headers of others that most sources of a target include, parsed once. Each source includes what it
+# uses all the same.
+option(SPECBAKE_PRECOMPILE_HEADERS "Parse the headers of libraries once for a target"
+       ${PROJECT_IS_TOP_LEVEL})
+set(SPECBAKE_STANDARD_HEADERS
+  <algorithm> <array> <cmath> <cstddef> <cstdint> <cstring> <filesystem> <functional> <limits> <map>
+  <memory> <numeric> <optional> <span> <string> <string_view> <utility> <vector>)
+
+# specbake_precompile(TARGET HEADER...): these, and the standard library's.
+function(specbake_precompile target)
+  if(SPECBAKE_PRECOMPILE_HEADERS)
+    target_precompile_headers(${target} PRIVATE ${SPECBAKE_STANDARD_HEADERS} ${ARGN})
+  endif()
+endfunction()
