@@ -39,7 +39,7 @@ if(NOT SPECBAKE_CORE_ONLY)
   install_library(image ${seam})
   install_library(bake)
   install_pkg_config(image "Textures and spectral images" "specbake-core"
-    "OpenImageIO OpenEXR libhwy libjpeg libpng lcms2 libdeflate"
+    "OpenImageIO OpenEXR libhwy libjpeg libpng libtiff-4 lcms2 libdeflate"
     "-lspecbake_openimageio -lspecbake_image")
   install_pkg_config(bake "Textures to spectral images" "specbake-image" "tbb" "")
 endif()

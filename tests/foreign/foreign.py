@@ -18,8 +18,7 @@ import sys
 
 ROOMS = ["formats", "layers", "turned", "profiles"]
 PROGRAMS = ["convert", "identify", "gif2rgb", "cwebp", "dwebp", "raw2tiff", "tiffcp",
-            "exiftool",
-            "exrheader", "transicc"]
+            "tiffset", "exiftool", "exrheader", "transicc"]
 SKIPPED = 77
 BEGIN, END = "<!-- rows: tests/foreign -->\n", "<!-- end of rows -->\n"
 

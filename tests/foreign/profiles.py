@@ -1,6 +1,7 @@
 """Rows on files that say what their numbers mean: ICC profiles, inks, Lab, chromaticities."""
 
 import struct
+import zlib
 
 import numpy
 from PIL import Image
@@ -251,15 +252,50 @@ def container_rows():
                lambda path: read(path, numpy.array(Image.open(path))), limit=MATRIX, says=OUTSIDE)
 
 
-def chromaticity_rows():
-    p3 = ((0.680, 0.320), (0.265, 0.690), (0.150, 0.060))
-    d65 = (0.3127, 0.3290)
-    numbers = [v for pair in (*p3, d65) for v in pair]
-    samples = samples16(3, calm=0.5)
+P3 = ((0.680, 0.320), (0.265, 0.690), (0.150, 0.060))
+D65 = (0.3127, 0.3290)
 
-    def seen(linear):
-        white = color.weights("D65").sum(axis=0)
-        return Picture(linear @ color.rgb_to_xyz(white, p3).T, is_xyz=True, white=white)
+
+def seen(linear):
+    """Linear Display P3."""
+    white = color.weights("D65").sum(axis=0)
+    return Picture(linear @ color.rgb_to_xyz(white, P3).T, is_xyz=True, white=white)
+
+
+def png_with(image, *chunks):
+    """A PNG of Pillow's, with these chunks behind its head."""
+    def make(path):
+        image.save(path, format="PNG")
+        png = path.read_bytes()
+        added = b"".join(struct.pack(">I", len(data)) + name + data
+                         + struct.pack(">I", zlib.crc32(name + data)) for name, data in chunks)
+        path.write_bytes(png[:33] + added + png[33:])
+    return make
+
+
+def png_rows():
+    """The order of PNG's third edition, section 4.3: cICP, iCCP, sRGB, gAMA and cHRM."""
+    samples = (samples16(3, calm=0.5) >> 8).astype(numpy.uint8)
+    image, values = Image.fromarray(samples, "RGB"), samples / 255
+    cicp = (b"cICP", bytes([12, 13, 0, 1]))
+    srgb = (b"sRGB", bytes(1))
+    gama = (b"gAMA", struct.pack(">I", 50000))
+    chrm = (b"cHRM", struct.pack(">8I", *[round(1e5 * v) for xy in (D65, *P3) for v in xy]))
+    for kind, name, chunks, read in (
+            ("gAMA 0.5 and cHRM of Display P3", "gama-chrm.png", (gama, chrm),
+             lambda path: seen(values**2)),
+            ("gAMA 0.5", "gama.png", (gama,), lambda path: Picture(values**2)),
+            ("sRGB, and gAMA and cHRM that differ", "srgb.png", (srgb, gama, chrm),
+             lambda path: Picture(color.linear_from_srgb(values))),
+            ("cICP of Display P3, and sRGB", "cicp.png", (cicp, srgb),
+             lambda path: seen(color.linear_from_srgb(values)))):
+        yield Case("PNG", kind, "Pillow, the chunks by hand", "the PNG specification's formulas",
+                   name, png_with(image, *chunks), read, says="^$|not used")
+
+
+def chromaticity_rows():
+    numbers = [v for pair in (*P3, D65) for v in pair]
+    samples = samples16(3, calm=0.5)
     linear = (samples / 65535).astype(numpy.float32)
 
     def half(path):
@@ -269,7 +305,17 @@ def chromaticity_rows():
     yield Case("EXR", "chromaticities of Display P3", "exr.py", "the samples", "p3.exr", half,
                lambda path: seen(linear.astype(float)))
 
+    def tiff(path):
+        raw = path.with_suffix(".raw")
+        raw.write_bytes(samples.tobytes())
+        run("raw2tiff", "-w", WIDTH, "-l", HEIGHT, "-b", 3, "-d", "short", "-p", "rgb", raw, path)
+        run("tiffset", "-s", 319, *numbers[:6], path)
+        run("tiffset", "-s", 318, *D65, path)
+    yield Case("TIFF", "16-bit, chromaticities of Display P3", "raw2tiff, tiffset", "the samples",
+               "p3.tif", tiff, lambda path: seen(color.linear_from_srgb(samples / 65535)))
+
 
 def rows():
-    for kind in (matrix_rows, ink_rows, lab_rows, container_rows, chromaticity_rows):
+    for kind in (matrix_rows, ink_rows, lab_rows, container_rows, png_rows,
+                 chromaticity_rows):
         yield from kind()

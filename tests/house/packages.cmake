@@ -8,7 +8,7 @@ endfunction()
 # Unoptimised: what is looked at is how it fits together.
 set(common -G Ninja -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS=-O0
     -D CMAKE_CXX_COMPILER=${COMPILER})
-set(hidden OpenImageIO OpenEXR JPEG PNG TBB PkgConfig)
+set(hidden OpenImageIO OpenEXR JPEG PNG TIFF TBB PkgConfig)
 list(TRANSFORM hidden PREPEND "-DCMAKE_DISABLE_FIND_PACKAGE_")
 list(TRANSFORM hidden APPEND "=ON")
 

@@ -5,6 +5,7 @@
 #include "texture/openimageio/metadata.h"
 #include "texture/openimageio/row_source.h"
 #include "texture/openimageio/subimages.h"
+#include "texture/openimageio/tiff_chromaticities.h"
 #include "texture/plain/plain_png.h"
 
 #include <specbake/core/error.h>
@@ -166,6 +167,7 @@ std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path,
     if (model != ColorModel::rgb) source = std::make_unique<RowSource>(path, subimage, true);
     ImageDescription description = describe(*source, model, path, subimage);
     if (format == "png") addPngColorSigns(path, description);
+    if (format == "tiff") description.signs.chromaticities = tiffChromaticities(path, subimage);
     return std::make_unique<OpenImageIOFile>(std::move(description), std::move(source));
 }
 
