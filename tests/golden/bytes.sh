@@ -18,7 +18,8 @@ plain=testimages/demo.png
 alpha=testimages/rgba_half.exr
 wide=(testimages/acescg_half.exr testimages/rec2020_float.exr testimages/xyz_float.exr)
 shared=../shared/textures
-options=("--per-texel" "--method descent" "--method descent --per-texel" "--mipmap" "-d float"
+options=("--per-texel" "--method smooth" "--method descent" "--method descent --per-texel"
+    "--mipmap" "-d float"
     "--outside scale" "--grid 5" "--illuminant A" "--bits 7" "--max-de 0.1" "--max-deviation 0.005"
     "--tile 32 16" "--compression none" "--compression zips" "--compression piz"
     "--compression zip:9" "--mipmap -d float --compression piz")

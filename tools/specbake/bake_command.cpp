@@ -59,7 +59,6 @@ UpsamplerOptions modelOf(const Arguments& a, BakeOptions& options,
         options.materialMap = a.materialMap;
         options.mappedMaterials = model.materials();
         model.material.clear();
-        if (!model.methodGiven) model.method = "natural";  // as under one --material
     }
     return model.options(notes);
 }

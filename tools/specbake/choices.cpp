@@ -138,9 +138,8 @@ UpsamplerOptions ModelArguments::options(std::vector<std::string>& notes) const 
         options.samples = std::move(file.samples);
         std::ranges::move(file.notes, std::back_inserter(notes));
     }
-    const bool measured = options.material || !options.samples.empty();
     options.illuminant = unlessAuto(illuminant);
-    options.method = measured && !methodGiven ? "natural" : method;
+    options.method = method;
     options.outside = outsideFromName(outside).value();
     options.adapt = adaptationFromName(adapt).value();
     return options;
@@ -159,16 +158,16 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::st
         ->capture_default_str();
     command.add_option("--method", arguments.method, methodSummaries())
         ->check(CLI::IsMember(methodNames()))
-        ->each([&arguments](const std::string&) { arguments.methodGiven = true; })
         ->capture_default_str();
     command
         .add_option("--material", arguments.material,
                     "near the colours of measured samples of it, spectra are those of this "
-                    "material, on top of natural")
+                    "material, on top of the method")
         ->type_name(materialWords());
-    command.add_option("--samples", arguments.samples,
-                       "measured spectra of yours, on top of natural: at their colours spectra are "
-                       "theirs. CSV, a sample or a wavelength a row, or CGATS");
+    command.add_option(
+        "--samples", arguments.samples,
+        "measured spectra of yours, on top of the method: at their colours spectra are "
+        "theirs. CSV, a sample or a wavelength a row, or CGATS");
 }
 
 void addOutsideOption(CLI::App& command, ModelArguments& arguments) {

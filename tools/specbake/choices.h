@@ -42,15 +42,13 @@ std::optional<std::string> unlessAuto(const std::string& name);
 struct ModelArguments {
     std::string illuminant = "auto";
     std::string method = UpsamplerOptions().method;
-    bool methodGiven = false;
     std::string material;  ///< "" for none; several with commas
     std::string samples;   ///< a file, "" for none
     std::string outside{outsideName(UpsamplerOptions().outside)};
     std::string adapt{adaptationName(UpsamplerOptions().adapt)};
 
-    /// The options with all else as it is by default: a material and samples stand on the method
-    /// `natural`, unless another is given. Reads the samples; what there is to tell of their file
-    /// is added to `notes`. Throws FileError, and ArgumentError for several materials.
+    /// The options with all else as it is by default. Reads the samples; what there is to tell of
+    /// their file is added to `notes`. Throws FileError, and ArgumentError for several materials.
     UpsamplerOptions options(std::vector<std::string>& notes) const;
     std::vector<std::string> materials() const;
 };

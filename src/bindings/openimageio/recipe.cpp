@@ -85,11 +85,7 @@ constexpr Option kOptions[] = {
     {"primaries", [](Recipe& r, std::string_view v) { r.options.color.primaries = v; }},
     {"illuminant", [](Recipe& r, std::string_view v) { r.options.model.illuminant = v; }},
     {"adapt", [](Recipe& r, std::string_view v) { setAdaptation(r.options, v); }},
-    {"method",
-     [](Recipe& r, std::string_view v) {
-         r.options.model.method = v;
-         r.methodGiven = true;
-     }},
+    {"method", [](Recipe& r, std::string_view v) { r.options.model.method = v; }},
     {"outside", [](Recipe& r, std::string_view v) { setOutside(r.options, v); }},
     {"material", [](Recipe& r, std::string_view v) { r.options.model.material = v; }},
     {"grid", [](Recipe& r, std::string_view v) { r.options.model.grid = numberOf<int>(v); }},
@@ -158,8 +154,6 @@ void setOption(Recipe& recipe, std::string_view name, std::string_view value) {
         throw ArgumentError("no option '" + std::string(name) + "'; there are " + optionNames());
     }
     option->set(recipe, value);
-    BakeOptions& options = recipe.options;
-    if (options.model.material && !recipe.methodGiven) options.model.method = "natural";
 }
 
 void forEachOption(const std::function<void(std::string_view)>& take) {

@@ -13,7 +13,6 @@ namespace specbake::openimageio {
 struct Recipe {
     std::string source;
     BakeOptions options;
-    bool methodGiven = false;  ///< else it is natural where there is a material
 };
 
 /// Text beyond this is no recipe.

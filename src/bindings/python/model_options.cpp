@@ -11,7 +11,6 @@ UpsamplerOptions modelOptions(const std::optional<std::string>& light,
                               const std::optional<std::filesystem::path>& samples) {
     UpsamplerOptions options;
     options.illuminant = light;
-    if (material || samples) options.method = "natural";
     if (method) options.method = *method;
     const std::optional<Outside> rule = outsideFromName(outside);
     if (!rule) throw ArgumentError("unknown rule for colours outside: '" + outside + "'");

@@ -9,7 +9,7 @@
 namespace specbake::python {
 
 /// How colours become spectra, of the words that Python has for it. Throws ArgumentError.
-/// `method`: none for the default, which is natural where there are a material or samples.
+/// `method`: none for the default.
 /// `samples`: a file of measured reflectances (measured_file.h), whose FileError goes on.
 UpsamplerOptions modelOptions(const std::optional<std::string>& light,
                               const std::optional<std::string>& method, const std::string& outside,

@@ -184,7 +184,7 @@ uint8 and uint16 are shares of 255 and 65535; all else counts as it is, in singl
              py::arg("samples") = py::none(), R"(
 space: one of SPACES.
 light: one of LIGHTS, under which the colours hold; None: the space's own white.
-method: one of METHODS; None: 'smooth', and 'natural' where there are a material or samples.
+method: one of METHODS; None: 'natural'.
 outside: what a colour gets that no reflectance has: 'nearest', 'scale' or 'error'.
 grid: nodes along each axis of the lookup, 2 to 129; None: each colour is solved by itself.
 material: one of MATERIALS: near the colours of its samples, spectra are that material's.

@@ -24,8 +24,8 @@ std::shared_ptr<const Solver> makeNatural(const Observer& observer, const Solid&
 }
 
 constexpr std::array kMethods = {
+    Method{"natural", "the smoothest spectrum, moved towards measured surfaces", makeNatural},
     Method{"smooth", "the smoothest spectrum", makeSmooth},
-    Method{"natural", "the smoothest, moved towards measured surfaces", makeNatural},
     Method{"descent", "steepest descent in the box", internal::makeDescent},
 };
 

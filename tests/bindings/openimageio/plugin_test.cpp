@@ -155,11 +155,11 @@ TEST_CASE("options of a text file are those of a bake") {
     options.storage.mipmap = true;
     options.storage.sampleType = SampleType::float32;
     options.model.illuminant = "A";
-    options.model.method = "natural";
+    options.model.method = "smooth";
     options.model.outside = Outside::scale;
     checkSameImage(stand.recipe("a.spectral", "# wood\n" + source +
                                                   "tile = 7 5\n data-type=float\nilluminant = A\n"
-                                                  "method = natural\n\noutside = scale\r\n"),
+                                                  "method = smooth\n\noutside = scale\r\n"),
                    stand.baked(kImages + "rgba8.png", options));
     BakeOptions few;
     few.bits = 6;
@@ -171,7 +171,6 @@ TEST_CASE("options of a text file are those of a bake") {
                    stand.baked(kImages + "rgba8.png", few));
     BakeOptions skin;
     skin.model.material = "skin";
-    skin.model.method = "natural";
     checkSameImage(stand.recipe("d.spectral", source + "material = skin\nmipmap = no\n"),
                    stand.baked(kImages + "rgba8.png", skin));
     BakeOptions chosen;

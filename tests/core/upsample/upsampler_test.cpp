@@ -19,6 +19,7 @@ namespace {
 
 UpsamplerOptions options(std::optional<int> grid, Outside rule = Outside::nearest) {
     UpsamplerOptions o;
+    o.method = "smooth";  // as the solver that answers are compared with
     o.grid = grid;
     o.outside = rule;
     return o;

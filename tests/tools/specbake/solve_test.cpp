@@ -62,7 +62,7 @@ TEST_SUITE_BEGIN("solve");
 
 TEST_CASE("81 values that have the colour, by every method; the same in JSON") {
     const Triple asked = {0.3, 0.4, 0.2};
-    for (const char* method : {"smooth", "descent"}) {
+    for (const char* method : {"natural", "smooth", "descent"}) {
         CAPTURE(method);
         const std::vector<std::string> arguments = {"--xyz", "0.3",      "0.4",
                                                     "0.2",   "--method", method};

@@ -1,6 +1,7 @@
 #include "solve/natural/vote.h"
 
 #include "solve/natural/place.h"
+#include "solve/natural/weighted_sum.h"
 
 #include <cmath>
 
@@ -9,10 +10,6 @@ namespace {
 
 double square(double x) {
     return x * x;
-}
-
-void addTo(Spectrum& sum, double weight, const Spectrum& s) {
-    for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += weight * s[m];
 }
 
 void scale(Spectrum& s, double factor) {
@@ -44,31 +41,33 @@ Vote::Vote(const Observer& observer, const Solver& solver, const std::vector<Mea
         for (const MeasuredSample& s : set.samples) colors.push_back(observer.color(s.reflectance));
         std::vector<Solution> solutions(colors.size());
         solver.solveMany(colors, solutions);
-        std::vector<Black>& blacks = sets_.emplace_back();
+        Blacks& blacks = sets_.emplace_back();
         for (std::size_t k = 0; k < colors.size(); ++k) {
             if (!solutions[k].solved()) continue;
-            Black& black = blacks.emplace_back();
-            black.place = placeOf(colors[k], white_);
-            black.difference = set.samples[k].reflectance;
-            addTo(black.difference, -1, solutions[k].spectrum);
+            blacks.places.push_back(placeOf(colors[k], white_));
+            const Weighted found{-1, &solutions[k].spectrum};
+            Spectrum& black = blacks.differences.emplace_back(set.samples[k].reflectance);
+            addWeighted({&found, 1}, black);
         }
     }
 }
 
-Vote::LocalMean Vote::localMean(const std::vector<Black>& set, const Imath::V3d& place) {
-    constexpr double negligible = 0x1p-60;  // of a vote that changes a reflectance by 1 at most
+Vote::LocalMean Vote::localMean(const Blacks& set, const Imath::V3d& place) {
+    constexpr double negligible = 0x1p-40;  // of a vote that changes a reflectance by 1 at most
     const double farthest = -2 * square(kWidth) * std::log(negligible);
-    LocalMean local;
+    std::vector<Weighted> near;
     double mass = 0;  // m_j
-    for (const Black& black : set) {
-        const double distance = (place - black.place).length2();
+    for (std::size_t k = 0; k < set.places.size(); ++k) {
+        const double distance = (place - set.places[k]).length2();
         if (distance > farthest) continue;
         const double weight = std::exp(-distance / (2 * square(kWidth)));  // K_k
+        near.push_back({weight, &set.differences[k]});
         mass += weight;
-        addTo(local.mean, weight, black.difference);
     }
+    LocalMean local;
     if (mass == 0) return local;
-    scale(local.mean, 1 / mass);
+    for (Weighted& black : near) black.weight /= mass;
+    addWeighted(near, local.mean);
     local.vote = mass / (mass + kHalfVote);
     return local;
 }
@@ -77,14 +76,14 @@ Spectrum Vote::at(const XYZ& color) const {
     const Imath::V3d place = placeOf(color, white_);
     std::vector<LocalMean> locals;
     double votes = 0;  // Q
-    Spectrum mean{};   // b̄
-    for (const std::vector<Black>& set : sets_) {
-        const LocalMean& local = locals.emplace_back(localMean(set, place));
-        votes += local.vote;
-        addTo(mean, local.vote, local.mean);
+    for (const Blacks& set : sets_) {
+        votes += locals.emplace_back(localMean(set, place)).vote;
     }
     if (votes == 0) return {};
-    scale(mean, 1 / votes);
+    std::vector<Weighted> terms;
+    for (const LocalMean& local : locals) terms.push_back({local.vote / votes, &local.mean});
+    Spectrum mean{};  // b̄
+    addWeighted(terms, mean);
     double variance = 0;  // V
     for (const LocalMean& local : locals) {
         variance += local.vote * squaredDistance(local.mean, mean) / votes;

@@ -47,22 +47,23 @@ class Vote {
     /// `solver` is the observer's. Samples that it does not solve are left out.
     Vote(const Observer& observer, const Solver& solver, const std::vector<MeasuredSet>& sets);
 
-    /// v. `color` is finite. About 10 µs.
+    /// v. `color` is finite. About 2 µs.
     Spectrum at(const XYZ& color) const;
 
   private:
-    struct Black {
-        Imath::V3d place;
-        Spectrum difference;  ///< b_k
+    /// Places apart from spectra: all of them are looked at, of few of these.
+    struct Blacks {
+        std::vector<Imath::V3d> places;     ///< p_k
+        std::vector<Spectrum> differences;  ///< b_k
     };
     struct LocalMean {
         double vote = 0;  ///< q_j
         Spectrum mean{};  ///< b_j
     };
-    static LocalMean localMean(const std::vector<Black>& set, const Imath::V3d& place);
+    static LocalMean localMean(const Blacks& set, const Imath::V3d& place);
 
     XYZ white_;
-    std::vector<std::vector<Black>> sets_;
+    std::vector<Blacks> sets_;
 };
 
 }  // namespace specbake::internal

@@ -22,7 +22,7 @@ struct UpsamplerOptions {
     std::optional<std::string> illuminant;
     /// For a light that is not the space's own white (isAdapted()).
     Adaptation adapt = Adaptation::bradford;
-    std::string method = "smooth";  ///< of methods()
+    std::string method = "natural";  ///< of methods()
     /// Of materialNames(): near the colours of its samples, spectra are those of that material.
     std::optional<std::string> material;
     /// Measured samples, at most kMostSamples. At a sample's colour the spectrum is the sample
