@@ -58,4 +58,12 @@ void addSecond(Attributes& attributes, const std::string& light,
     attributes["specbake:secondImage"] = image.filename().string();
 }
 
+void addChosen(Attributes& attributes, const BakeOptions& options) {
+    if (options.storage.isTiled()) {
+        put(attributes, "textureformat", "Plain Texture");
+        put(attributes, "wrapmodes", "black,black");
+    }
+    for (const auto& [name, value] : options.attributes) attributes.insert_or_assign(name, value);
+}
+
 }  // namespace specbake::internal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/bake/bake.h>
 #include <specbake/core/upsampler.h>
 #include <specbake/image/color_meaning.h>
 #include <specbake/image/image_types.h>
@@ -23,5 +24,9 @@ void addMaterials(Attributes& attributes, const std::vector<std::string>& materi
 /// The second light, and the file with the colours under it.
 void addSecond(Attributes& attributes, const std::string& light,
                const std::filesystem::path& image);
+
+/// What the options say of the file beside its model: where it is stored as renderers fetch it, the
+/// marks of maketx (its kind of texture; black beyond its edges), and the attributes of one's own.
+void addChosen(Attributes& attributes, const BakeOptions& options);
 
 }  // namespace specbake::internal

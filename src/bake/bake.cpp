@@ -9,6 +9,7 @@
 #include <specbake/bake/bake.h>
 #include <specbake/bake/model_cache.h>
 #include <specbake/core/error.h>
+#include <specbake/core/observer.h>
 #include <specbake/image/file_fingerprint.h>
 #include <specbake/image/spectral_writer.h>
 
@@ -55,6 +56,7 @@ class Job {
                                                 half() ? std::optional(bits_) : std::nullopt);
         if (map_) addMaterials(attributes, options_.mappedMaterials, *options_.materialMap);
         if (second_) addSecond(attributes, options_.secondLight, *options_.second);
+        addChosen(attributes, options_);
         return {info.data, info.display, info.pixelAspectRatio, info.alpha.has_value(),
                 std::move(attributes)};
     }
@@ -73,7 +75,7 @@ class Job {
         statistics_.space = upsampler_->space().name;
         statistics_.colorSource = meaning_.source;
         statistics_.colorReason = meaning_.reason;
-        statistics_.illuminant = upsampler_->observer().illuminant();
+        statistics_.illuminant = lightLabel(upsampler_->observer().illuminant());
         if (isAdapted(meaning_.space, upsampler_->observer())) {
             statistics_.adapted = upsampler_->options().adapt;
         }

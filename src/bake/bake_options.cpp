@@ -64,6 +64,13 @@ std::string problemOf(const BakeOptions& options) {
     if (!isPositive(options.maxDeviation) || !isPositive(options.maxDE)) {
         return "the largest deviation or difference must be a number above 0";
     }
+    for (const auto& [name, value] : options.attributes) {
+        if (!isFreeAttributeName(name)) {
+            return "an attribute cannot be called '" + name +
+                   "': names have 1 to 31 characters and are none that the file's format, "
+                   "OpenImageIO or specbake gives a meaning";
+        }
+    }
     if (options.threads < 0) return "a number of threads below 0";
     return {};
 }

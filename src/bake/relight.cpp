@@ -2,6 +2,7 @@
 #include "pipeline.h"
 
 #include <specbake/bake/relight.h>
+#include <specbake/core/error.h>
 #include <specbake/image/preview_writer.h>
 #include <specbake/image/spectral_reader.h>
 
@@ -14,11 +15,36 @@ using namespace internal;
 
 namespace {
 
+std::vector<LitBands> allLitBands(const RelightOptions& options) {
+    std::vector<LitBands> all = {litBands(options)};
+    for (const std::string& light : options.beside) {
+        RelightOptions other = options;
+        other.illuminant = light;
+        all.push_back(litBands(other));
+    }
+    return all;
+}
+
+/// Of `count` pictures side by side.
+SpectralHeader widened(SpectralHeader header, std::size_t count) {
+    if (count == 1) return header;
+    const auto width = std::size_t(header.data.width) * count;
+    if (width > std::size_t(kLargestSide)) {
+        throw ArgumentError("the pictures side by side are wider than " +
+                            std::to_string(kLargestSide) + " texels");
+    }
+    header.data = {0, 0, int(width), header.data.height};
+    header.display = header.data;
+    return header;
+}
+
 class Relighting {
   public:
     Relighting(const std::string& spectral, const std::filesystem::path& picture,
                const RelightOptions& options)
-        : colors_(litBands(options)), reader_(spectral), writer_(picture, reader_.header()) {}
+        : lights_(allLitBands(options)),
+          reader_(spectral),
+          writer_(picture, widened(reader_.header(), lights_.size())) {}
 
     void run(const RelightOptions& options) {
         bands_.resize(std::size_t((height() + kRows - 1) / kRows));
@@ -39,7 +65,7 @@ class Relighting {
     struct Band {
         std::vector<float> samples;  ///< kBandCount a texel
         std::vector<float> alpha;
-        std::vector<float> picture;  ///< R, G, B, A a texel
+        std::vector<float> picture;  ///< R, G, B, A a texel; in each row the pictures in turn
     };
 
     std::size_t width() const { return std::size_t(reader_.header().data.width); }
@@ -54,27 +80,35 @@ class Relighting {
     }
 
     void light(Band& band) const {
-        band.picture.reserve(band.alpha.size() * 4);
-        for (std::size_t t = 0; t < band.alpha.size(); ++t) {
+        band.picture.reserve(band.alpha.size() * 4 * lights_.size());
+        for (std::size_t first = 0; first < band.alpha.size(); first += width()) {
+            for (const LitBands& colors : lights_) lightRow(band, first, colors);
+        }
+        band.samples = {};
+    }
+
+    /// Of the row that begins with that texel.
+    void lightRow(Band& band, std::size_t first, const LitBands& colors) const {
+        for (std::size_t t = first; t < first + width(); ++t) {
             Imath::V3f sum(0.0F);
-            for (std::size_t m = 0; m < colors_.size(); ++m) {
-                sum += colors_[m] * band.samples[t * kBandCount + m];
+            for (std::size_t m = 0; m < colors.size(); ++m) {
+                sum += colors[m] * band.samples[t * kBandCount + m];
             }
             band.picture.insert(band.picture.end(), {sum.x, sum.y, sum.z, band.alpha[t]});
         }
-        band.samples = {};
     }
 
     void writeBand(int i) {
         Band& band = bands_[std::size_t(i)];
         const std::span<const float> picture = band.picture;
-        for (std::size_t first = 0; first < picture.size(); first += width() * 4) {
-            writer_.writeRow(picture.subspan(first, width() * 4));
+        const std::size_t row = width() * 4 * lights_.size();
+        for (std::size_t first = 0; first < picture.size(); first += row) {
+            writer_.writeRow(picture.subspan(first, row));
         }
         band = {};
     }
 
-    LitBands colors_;
+    std::vector<LitBands> lights_;
     SpectralReader reader_;
     PreviewWriter writer_;
     std::vector<Band> bands_;

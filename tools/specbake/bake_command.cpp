@@ -1,3 +1,4 @@
+#include "attribute_choices.h"
 #include "bake_report.h"
 #include "batch/batch_command.h"
 #include "batch/input_names.h"
@@ -9,13 +10,11 @@
 #include "thread_pool.h"
 
 #include <specbake/bake/bake.h>
-#include <specbake/bake/report.h>
 #include <specbake/bake/up_to_date.h>
 #include <specbake/core/error.h>
 #include <specbake/image/output_file.h>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -43,7 +42,9 @@ struct Arguments {
     std::string sampleType{sampleTypeName(StorageOptions().sampleType)};
     std::string compression{compressionName(StorageOptions().compression)};
     std::vector<int> tile;  ///< none, or width and height
-    BakeOptions options;    ///< all else
+    std::vector<std::pair<std::string, std::string>> attributes;
+    std::string wrap;     ///< "" or one of two of a wrap mode
+    BakeOptions options;  ///< all else
     std::string statsFile;
     std::string reportFile;
     bool update = false;
@@ -70,7 +71,7 @@ void parseSecond(const std::string& text, BakeOptions& options) {
     if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
         throw ArgumentError("--second: LIGHT=IMAGE, as A=lamp.png, not " + text);
     }
-    options.secondLight = text.substr(0, sign);
+    options.secondLight = lightFrom(text.substr(0, sign));
     options.second = text.substr(sign + 1);
 }
 
@@ -83,7 +84,15 @@ BakeOptions optionsOf(const Arguments& a, std::vector<std::string>& notes) {
     parseSecond(a.second, options);
     options.model.grid = a.perTexel ? std::nullopt : std::optional(a.grid);
     options.storage.sampleType = parseSampleType(a.sampleType);
+    if (options.storage.sampleType == SampleType::float32 &&
+        (options.maxDE || options.bits != BakeOptions::kMostMantissaBits)) {
+        throw ArgumentError("--bits and --max-de are of half samples, not of -d float");
+    }
     parseCompression(a.compression, options.storage);
+    for (const auto& [name, text] : a.attributes) {
+        options.attributes.insert_or_assign(name, attributeValue(text));
+    }
+    if (!a.wrap.empty()) options.attributes["wrapmodes"] = wrapModes(a.wrap);
     if (!a.tile.empty()) options.storage.tile = TileSize{a.tile.at(0), a.tile.at(1)};
     return options;
 }
@@ -108,21 +117,6 @@ void report(const BakeStatistics& s, const Arguments& a, const std::string& inpu
     if (!a.quiet && toStdout) std::fputs(choicesText(a.output, s).c_str(), stdout);
     if (!a.quiet) printRemarks(input, s, a.model.outside);
     if (a.verbose && toStdout) std::printf("%s\n", bakeLine(input, a.output, s).c_str());
-}
-
-/// The page about the file as it was written: it is read back and compared.
-void writePage(const BakeStatistics& s, const Arguments& a, const std::string& input) {
-    ReportOptions page;
-    page.verify.read = a.read.options();
-    page.verify.color = a.color.wishes();
-    page.verify.threads = a.options.threads;
-    page.facts = {{"texels", std::to_string(s.texels)},
-                  {"texels outside the solid", std::to_string(s.outsideTexels)},
-                  {"furthest moved, CIEDE2000", fmt::format("{:.3g}", s.largestMove)},
-                  {"texels solved one by one", std::to_string(s.directTexels)},
-                  {"nodes solved", std::to_string(s.nodesSolved)},
-                  {"seconds", fmt::format("{:.2f}", s.seconds)}};
-    writeReport(a.output, input, a.reportFile, page);
 }
 
 void checkOutput(const Arguments& a, const std::string& texture) {
@@ -154,7 +148,7 @@ ExitCode bakeOne(const Arguments& a, const std::string& input) {
         s.notes.insert(s.notes.end(), notes.begin(), notes.end());
         bar.clear();
         if (!a.statsFile.empty()) writeStats(bakeJson(input, a.output, s), a);
-        if (!a.reportFile.empty()) writePage(s, a, input);
+        if (!a.reportFile.empty()) writePage(a.reportFile, input, a.output, options, s);
         report(s, a, input);
     } catch (const Cancelled&) {
         signals.passOn();
@@ -177,7 +171,6 @@ ExitCode bakeCommand(const Arguments& a) {
     Inputs inputs = expandInputs(a.inputs);
     if (inputs.single && !namesByInput(a.output)) return bakeOne(a, inputs.all.front().path);
     if (!a.second.empty()) throw ArgumentError("--second is of one texture, not of several");
-    if (!a.reportFile.empty()) throw ArgumentError("--report is of one texture, not of several");
     std::vector<std::string> notes;
     const BakeOptions options = optionsOf(a, notes);
     for (const std::string& note : notes) {
@@ -185,6 +178,7 @@ ExitCode bakeCommand(const Arguments& a) {
     }
     return batchCommand({std::move(inputs),
                          a.output,
+                         a.reportFile,
                          options,
                          a.update,
                          {a.statsFile, a.model.outside, a.verbose, a.quiet}});
@@ -227,15 +221,17 @@ Command addBake(CLI::App& program) {
                       "solve every distinct colour by itself, without the grid");
     command->add_option("--grid", a->grid, "nodes of the lookup grid along each axis")
         ->check(CLI::Range(kFewestGridNodes, kMostGridNodes))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->excludes("--per-texel");
     command
         ->add_option(
             "--max-deviation", a->options.maxDeviation,
             "instead of --grid: the coarsest grid whose spectra deviate by no more from the "
             "directly solved ones, RMS over bands and texels; the default grid comes to 0.0002 to "
             "0.002, by the texture")
-        ->check(CLI::PositiveNumber)
-        ->excludes("--per-texel");
+        ->check(CLI::PositiveNumber & isFinite())
+        ->excludes("--per-texel")
+        ->excludes("--grid");
     command
         ->add_option("--bits", a->options.bits,
                      "bits of mantissa that half samples keep: fewer make smaller files")
@@ -245,7 +241,8 @@ Command addBake(CLI::App& program) {
         ->add_option(
             "--max-de", a->options.maxDE,
             "instead of --bits: the fewest bits that keep every texel within this CIEDE2000")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::PositiveNumber & isFinite())
+        ->excludes("--bits");
     command->add_option("-d,--data-type", a->sampleType, "samples of the spectral image")
         ->check(CLI::IsMember(sampleTypeNames()))
         ->capture_default_str();
@@ -262,18 +259,34 @@ Command addBake(CLI::App& program) {
         ->type_name("W H");
     command->add_flag("--mipmap", a->options.storage.mipmap,
                       "store all mip levels, averages of spectra; tiles of 64 x 64 unless --tile");
+    command
+        ->add_option("--wrap", a->wrap,
+                     "how renderers that go by OpenImageIO continue the texture beyond its edges: "
+                     "black, clamp, periodic or mirror, or two of them for s,t; of tiled files, "
+                     "black is the default")
+        ->check(wrapCheck())
+        ->type_name("MODE[,MODE]");
+    command
+        ->add_option("--attrib", a->attributes,
+                     "metadata to write, as often as wanted: an int, a float or a string by its "
+                     "looks")
+        ->type_name("NAME VALUE")
+        ->allow_extra_args(false);
     addThreads(*command, a->options.threads);
     command->add_option("--stats", a->statsFile,
                         "write what was done, or why not, to this JSON file, - for stdout; of "
                         "several textures a line each");
-    command->add_option("--report", a->reportFile,
-                        "read the result back, and write a page about it to this HTML file; of one "
-                        "texture");
+    command->add_option(
+        "--report", a->reportFile,
+        "read the result back, and write a page about it to this HTML file; of several "
+        "textures into this folder, or by a pattern such as "
+        "'{dir}/{stem}.html'");
     command->add_flag("-u,--update", a->update,
                       "bake only what is missing, older than its texture, or made of another "
                       "texture, by other options or by another version");
     command->add_flag("-v,--verbose", a->verbose, "say what was done");
-    command->add_flag("-q,--quiet", a->quiet, "no progress bar and no remarks");
+    command->add_flag("-q,--quiet", a->quiet, "no progress bar and no remarks")
+        ->excludes("--verbose");
     return [a] { return bakeCommand(*a); };
 }
 

@@ -1,5 +1,7 @@
 #include "bake_report.h"
 
+#include <specbake/bake/report.h>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -93,6 +95,21 @@ std::string bakeLine(const std::string& input, const std::string& output, const 
                "{} -> {}: {} texels ({}, {}) in {:.2f} s; {} nodes solved, {} texels one by one",
                input, output, s.texels, s.space, s.illuminant, s.seconds, s.nodesSolved,
                s.directTexels);
+}
+
+void writePage(const std::string& page, const std::string& input, const std::string& output,
+               const BakeOptions& options, const BakeStatistics& s) {
+    ReportOptions report;
+    report.verify.read = options.read;
+    report.verify.color = options.color;
+    report.verify.threads = options.threads;
+    report.facts = {{"texels", std::to_string(s.texels)},
+                    {"texels outside the solid", std::to_string(s.outsideTexels)},
+                    {"furthest moved, CIEDE2000", fmt::format("{:.3g}", s.largestMove)},
+                    {"texels solved one by one", std::to_string(s.directTexels)},
+                    {"nodes solved", std::to_string(s.nodesSolved)},
+                    {"seconds", fmt::format("{:.2f}", s.seconds)}};
+    writeReport(output, input, page, report);
 }
 
 }  // namespace specbake::tool

@@ -33,4 +33,9 @@ std::string choicesText(const std::string& output, const BakeStatistics& statist
 std::string bakeLine(const std::string& input, const std::string& output,
                      const BakeStatistics& statistics);
 
+/// The page of --report about the file as it was written: it is read back and compared with the
+/// texture. `options`: of the bake. Throws FileError.
+void writePage(const std::string& page, const std::string& input, const std::string& output,
+               const BakeOptions& options, const BakeStatistics& statistics);
+
 }  // namespace specbake::tool

@@ -3,11 +3,15 @@
 #include <specbake/core/error.h>
 #include <specbake/core/methods.h>
 #include <specbake/core/observer.h>
+#include <specbake/image/light_file.h>
 #include <specbake/image/measured_file.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -25,6 +29,12 @@ std::vector<std::string> adaptationNames() {
     for (const Adaptation adaptation : adaptations())
         names.emplace_back(adaptationName(adaptation));
     return names;
+}
+
+bool namesFile(const std::string& light) {
+    std::error_code ignored;
+    return light.find_first_of("./") != std::string::npos ||
+           std::filesystem::exists(light, ignored);
 }
 
 /// A check that words can be read in one place of the wishes, or are "auto" where that is offered.
@@ -107,14 +117,6 @@ void addColorOptions(CLI::App& command, ColorArguments& arguments, const std::st
         ->check(wishCheck(&ColorWishes::transfer));
 }
 
-CLI::Validator illuminantCheck() {
-    const auto check = [](std::string& name) {
-        std::string problem;
-        return name == "auto" || isIlluminant(name, &problem) ? std::string() : problem;
-    };
-    return {check, joined(illuminantNames()), ""};
-}
-
 CLI::Validator adaptationCheck() {
     return CLI::IsMember(adaptationNames());
 }
@@ -146,11 +148,11 @@ UpsamplerOptions ModelArguments::options(std::vector<std::string>& notes) const 
 }
 
 void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::string& white) {
-    command
-        .add_option("--illuminant", arguments.illuminant,
-                    "light under which the colours hold; auto: " + white)
-        ->check(illuminantCheck())
-        ->capture_default_str();
+    addLight(command, arguments.illuminant,
+             "light under which the colours hold, or a file with its spectrum: two columns, nm and "
+             "power; auto: " +
+                 white,
+             true);
     command
         .add_option("--adapt", arguments.adapt,
                     "how colours of a space with another white are adapted to the light")
@@ -241,8 +243,49 @@ std::vector<std::string> sampleTypeNames() {
     return names;
 }
 
+/// Those that are offered; of the further ones the series.
+std::string lightWords(bool automatic) {
+    std::string words = automatic ? "{auto" : "{";
+    for (const std::string& name : illuminantNames()) words += (words == "{" ? "" : ",") + name;
+    return words + "}, F1-F12, F3.1-F3.15, HP1-HP5, LED-..., ID50, ID65 or FILE";
+}
+
+std::string lightFrom(const std::string& word) {
+    if (isIlluminant(word)) return word;
+    if (namesFile(word)) return readLight(word);
+    std::vector<std::string> names = illuminantNames();
+    std::ranges::copy(furtherIlluminantNames(), std::back_inserter(names));
+    throw ArgumentError("no light and no file is called '" + word + "'" + suggestion(word, names));
+}
+
+CLI::Validator knownLight(bool automatic) {
+    const auto toLight = [automatic](std::string& word) {
+        if (!automatic || word != "auto") word = lightFrom(word);
+        return std::string();
+    };
+    return CLI::Validator(toLight, "");
+}
+
+CLI::Option* addLight(CLI::App& command, std::string& light, const std::string& description,
+                      bool automatic) {
+    return command.add_option("--illuminant", light, description)
+        ->transform(knownLight(automatic))
+        ->type_name(lightWords(automatic))
+        ->capture_default_str();
+}
+
+CLI::Validator isFinite() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            const double number = std::strtod(text.c_str(), nullptr);
+            return std::isfinite(number) ? std::string() : text + " is no number";
+        },
+        "");
+}
+
 void addThreads(CLI::App& command, int& threads) {
     command.add_option("-j,--threads", threads, "threads, 0 for all cores")
+        ->envname("SPECBAKE_THREADS")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
 }

@@ -29,9 +29,6 @@ void addSpaceOptions(CLI::App& command, ColorArguments& arguments, const std::st
 /// The same, and `--transfer`.
 void addColorOptions(CLI::App& command, ColorArguments& arguments, const std::string& automatic);
 
-/// For an option that names a light: in any case, and a slip is told what it is near.
-CLI::Validator illuminantCheck();
-
 /// For `--adapt`.
 CLI::Validator adaptationCheck();
 
@@ -82,7 +79,24 @@ void parseCompression(const std::string& text, StorageOptions& storage);
 SampleType parseSampleType(const std::string& name);
 std::vector<std::string> sampleTypeNames();
 
-/// `-j,--threads`
+/// Those that are offered, for help.
+std::string lightWords(bool automatic);
+
+/// The name of a light, or the light in the file of that name, as a text that stands for a name
+/// everywhere (lightText()). Throws ArgumentError, FileError.
+std::string lightFrom(const std::string& word);
+
+/// A check of a light's name that takes it from a file, where it names one.
+CLI::Validator knownLight(bool automatic);
+
+/// `--illuminant`: what lightFrom() takes. `automatic`: whether it may be "auto", too.
+CLI::Option* addLight(CLI::App& command, std::string& light, const std::string& description,
+                      bool automatic);
+
+/// A check that a number is one: it passes neither "nan" nor "inf".
+CLI::Validator isFinite();
+
+/// `-j,--threads`, or $SPECBAKE_THREADS
 void addThreads(CLI::App& command, int& threads);
 
 }  // namespace specbake::tool

@@ -138,6 +138,9 @@ void inspectTexels(const Arguments& a, SpectralReader& reader) {
 }
 
 ExitCode inspectCommand(const Arguments& a) {
+    if (!a.plotFile.empty() && std::filesystem::path(a.plotFile).extension() != ".svg") {
+        throw ArgumentError(a.plotFile + ": a plot is an SVG; its name must end in .svg");
+    }
     SpectralReader reader(a.spectral);
     if (!a.places.empty()) {
         inspectTexels(a, reader);

@@ -1,7 +1,11 @@
 #include "commands.h"
+#include "help/help_commands.h"
+#include "help/help_formatter.h"
+#include "help/help_texts.h"
+#include "help/suggestions.h"
+#include "help/version_text.h"
 
 #include <specbake/core/error.h>
-#include <specbake/version.h>
 
 #include <CLI/CLI.hpp>
 
@@ -17,8 +21,9 @@ namespace {
 
 int run(int argc, char** argv) {
     CLI::App program("specbake: XYZ and RGB textures to spectral textures", "specbake");
-    program.set_version_flag("--version", std::string("specbake ") + kVersion);
+    program.set_version_flag("--version", versionText());
     program.require_subcommand(1);
+    program.formatter(std::make_shared<HelpFormatter>());
     program.failure_message([](const CLI::App*, const CLI::Error& error) {
         return std::string("specbake: ") + error.what() + " (--help tells more)\n";
     });
@@ -29,10 +34,16 @@ int run(int argc, char** argv) {
         {"bake", addBake(program)},       {"solve", addSolve(program)},
         {"region", addRegion(program)},   {"inspect", addInspect(program)},
         {"relight", addRelight(program)}, {"table", addTable(program)},
-        {"verify", addVerify(program)}};
+        {"verify", addVerify(program)},   {"completion", addCompletion(program)},
+        {"manual", addManual(program)}};
+    addHelpTexts(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
+        const auto unknown = explainUnknown(program, {argv + 1, argv + argc});
+        if (unknown && error.get_exit_code() != 0) {
+            throw ArgumentError(*unknown + " (--help tells more)");
+        }
         return program.exit(error) == 0 ? kDone : kUsage;
     }
     return commands.at(program.get_subcommands().front()->get_name())();

@@ -89,9 +89,7 @@ Command addRegion(CLI::App& program) {
     auto a = std::make_shared<Arguments>();
     CLI::App* command =
         program.add_subcommand("region", "The solid of colours that reflectances can have");
-    command->add_option("--illuminant", a->illuminant, "the light")
-        ->check(CLI::IsMember(illuminantNames()))
-        ->capture_default_str();
+    addLight(*command, a->illuminant, "the light, or a file with its spectrum", false);
     command->add_option("--obj", a->objFile, "write the solid as a mesh (Wavefront OBJ)");
     command->add_flag("--json", a->json, "print the facts as JSON");
     return [a] { return regionCommand(*a); };

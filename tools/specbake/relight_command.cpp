@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 struct Arguments {
     std::string spectral;
     std::string picture;
-    RelightOptions options;
+    RelightOptions options;  ///< all but the following
+    std::vector<std::string> lights = {RelightOptions().illuminant};
     std::string adapt{adaptationName(RelightOptions().adapt)};
     bool noAdapt = false;
     bool quiet = false;
@@ -37,6 +38,8 @@ ExitCode relightCommand(const Arguments& a) {
     try {
         ProgressBar bar("relighting " + fs::path(a.spectral).filename().string(), !a.quiet);
         RelightOptions options = a.options;
+        options.illuminant = a.lights.front();
+        options.beside.assign(a.lights.begin() + 1, a.lights.end());
         options.adapt = a.noAdapt ? Adaptation::none : adaptationFromName(a.adapt).value();
         options.stop = signals.token();
         options.progress = [&bar](double done) { bar.show(done); };
@@ -59,8 +62,14 @@ Command addRelight(CLI::App& program) {
         ->add_option("-o,--output", a->picture,
                      "picture to write: sRGB with 8 bits, or linear floats if .exr or .hdr")
         ->required();
-    command->add_option("--illuminant", a->options.illuminant, "the light")
-        ->check(illuminantCheck())
+    command
+        ->add_option("--illuminant", a->lights,
+                     "the light, or a file with its spectrum; of several, with commas between "
+                     "them, the pictures are side by side")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->transform(knownLight(false))
+        ->type_name(lightWords(false))
         ->capture_default_str();
     command
         ->add_option("--adapt", a->adapt,
@@ -69,7 +78,7 @@ Command addRelight(CLI::App& program) {
         ->capture_default_str();
     command->add_flag("--no-adapt", a->noAdapt, "--adapt none")->excludes("--adapt");
     command->add_option("--exposure", a->options.exposure, "stops, to darken or brighten")
-        ->check(CLI::Range(-32.0, 32.0))
+        ->check(CLI::Range(-32.0, 32.0) & isFinite())
         ->capture_default_str();
     addThreads(*command, a->options.threads);
     command->add_flag("-q,--quiet", a->quiet, "no progress bar");

@@ -2,6 +2,7 @@
 #include "commands.h"
 
 #include <specbake/core/error.h>
+#include <specbake/core/observer.h>
 #include <specbake/core/upsampler.h>
 #include <specbake/core/vector.h>
 
@@ -56,18 +57,6 @@ ColorAnswer solve(const Arguments& a, const Upsampler& upsampler) {
     return answer;
 }
 
-const char* statusName(SolveReport::Status status) {
-    switch (status) {
-        case SolveReport::Status::solved:
-            return "solved";
-        case SolveReport::Status::outside:
-            return "outside";
-        case SolveReport::Status::failed:
-            break;
-    }
-    return "failed";
-}
-
 void printJson(const ColorAnswer& answer, const std::string& illuminant) {
     const SolveReport& r = answer.solution.report;
     const nlohmann::ordered_json json = {
@@ -97,7 +86,7 @@ void printText(const ColorAnswer& answer, const std::string& illuminant) {
     }
     const SolveReport& r = answer.solution.report;
     std::fprintf(stderr, "%s under %s: XYZ %.6g %.6g %.6g, gauge %.9g, residual %.1e, ",
-                 statusName(r.status), illuminant.c_str(), answer.asked.x, answer.asked.y,
+                 statusName(r.status).data(), illuminant.c_str(), answer.asked.x, answer.asked.y,
                  answer.asked.z, answer.gauge, r.residual);
     std::fprintf(stderr, "%d iterations, %d starts, %d hits\n", r.iterations, r.starts, r.hits);
     if (r.fellBack) std::fprintf(stderr, "the method failed; the smooth one solved the colour\n");
@@ -113,6 +102,7 @@ void printText(const ColorAnswer& answer, const std::string& illuminant) {
 }
 
 ExitCode solveCommand(const Arguments& a) {
+    if (a.xyz.empty() && a.rgb.empty()) throw ArgumentError("solve needs a colour: --xyz or --rgb");
     std::vector<std::string> notes;
     const Upsampler upsampler(spaceOf(a), a.model.options(notes));
     printNotes(notes, upsampler);
@@ -124,7 +114,7 @@ ExitCode solveCommand(const Arguments& a) {
                      answer.gauge);
         return kFailed;
     }
-    const std::string& illuminant = upsampler.observer().illuminant();
+    const std::string illuminant(lightLabel(upsampler.observer().illuminant()));
     a.json ? printJson(answer, illuminant) : printText(answer, illuminant);
     return kDone;
 }
@@ -134,14 +124,14 @@ ExitCode solveCommand(const Arguments& a) {
 Command addSolve(CLI::App& program) {
     auto a = std::make_shared<Arguments>();
     CLI::App* command = program.add_subcommand("solve", "One colour to its spectrum, as CSV");
-    auto* color = command->add_option_group("colour");
-    color
-        ->add_option("--xyz", a->xyz,
-                     "X Y Z; the perfect reflector has Y = 1. What is a grey to four decimals is "
-                     "solved as that grey, and comes out flat")
-        ->expected(3);
-    color->add_option("--rgb", a->rgb, "R G B of --space; 1 1 1 is white")->expected(3);
-    color->require_option(1);
+    CLI::Option* xyz = command->add_option(
+        "--xyz", a->xyz,
+        "X Y Z; the perfect reflector has Y = 1. What is a grey to four decimals is "
+        "solved as that grey, and comes out flat");
+    xyz->expected(3);
+    command->add_option("--rgb", a->rgb, "R G B of --space; 1 1 1 is white")
+        ->expected(3)
+        ->excludes(xyz);
     addColorOptions(*command, a->color, "lin_rec709 for --rgb");
     addModelOptions(*command, a->model, "the space's white, E for --xyz");
     addOutsideOption(*command, a->model);

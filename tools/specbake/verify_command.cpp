@@ -172,19 +172,19 @@ Command addVerify(CLI::App& program) {
         ->add_option("--max-de", a->maxDE,
                      "exit 3 if a texel differs by more (CIEDE2000); without it, by more than the "
                      "rounding of the file's samples explains, or by more than 0.5")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::NonNegativeNumber & isFinite());
     auto* spectra = command->add_option("--spectra", a->reference,
                                         "compare band by band with this spectral image");
     command->add_option("--max-band", a->maxBand, "exit 3 if a band of --spectra differs by more")
-        ->check(CLI::NonNegativeNumber)
+        ->check(CLI::NonNegativeNumber & isFinite())
         ->capture_default_str()
         ->needs(spectra);
     addReadOptions(*command, a->read, "else what the spectral file was made of");
     addColorOptions(*command, a->color, "what the spectral image says");
     command
         ->add_option("--illuminant", a->options.illuminant,
-                     "light, instead of the one that the file names")
-        ->check(illuminantCheck());
+                     "light, or a file with its spectrum, instead of the one that the file names")
+        ->transform(knownLight(false));
     command->add_option("--adapt", a->adapt, "adaptation, instead of the one that the file names")
         ->check(adaptationCheck());
     command->add_flag("--independent,!--no-independent", a->independent,

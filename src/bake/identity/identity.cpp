@@ -76,6 +76,25 @@ std::string described(const StorageOptions& storage) {
     return joined(words, ", ");
 }
 
+struct AsText {
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(int number) const { return std::to_string(number); }
+    std::string operator()(float number) const { return decimal(double(number)); }
+    std::string operator()(const std::vector<float>& numbers) const {
+        std::vector<std::string> words;
+        for (const float number : numbers) words.push_back((*this)(number));
+        return joined(words, " ");
+    }
+};
+
+std::string described(const Attributes& attributes) {
+    std::vector<std::string> words;
+    for (const auto& [name, value] : attributes) {
+        words.push_back(name + "=" + std::visit(AsText(), value));
+    }
+    return joined(words, ", ");
+}
+
 }  // namespace
 
 std::string bakeIdentity(const std::string& source, const Upsampler& model,
@@ -85,6 +104,7 @@ std::string bakeIdentity(const std::string& source, const Upsampler& model,
     if (options.color.any()) parts.push_back(described(options.color));
     if (options.materialMap) parts.push_back(describedMap(options));
     if (options.second) parts.push_back(describedSecond(options));
+    if (!options.attributes.empty()) parts.push_back(described(options.attributes));
     return joined(parts, kIdentitySeparator);
 }
 

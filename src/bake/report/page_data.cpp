@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace specbake::internal {
@@ -24,16 +25,19 @@ double shortened(double value) {
     return std::isfinite(value) ? std::stod(fmt::format("{:.7g}", value)) : 0.0;
 }
 
-Json lamps() {
+/// The usual lamps, and the light of the bake if it is none of them.
+Json lamps(const std::string& light) {
+    std::vector<std::string> names = illuminantNames();
+    if (std::find(names.begin(), names.end(), light) == names.end()) names.push_back(light);
     Json all = Json::array();
-    for (const std::string& name : illuminantNames()) {
+    for (const std::string& name : names) {
         RelightOptions options;
         options.illuminant = name;
         Json bands = Json::array();
         for (const Imath::V3f& band : litBands(options)) {
             for (int i = 0; i < 3; ++i) bands.push_back(shortened(double(band[i])));
         }
-        all.push_back({{"name", name}, {"bands", bands}});
+        all.push_back({{"name", std::string(lightLabel(name))}, {"bands", bands}});
     }
     return all;
 }
@@ -127,11 +131,11 @@ std::string pageData(const PageContent& content) {
                        {"step", blocks.step},
                        {"wavelengths", wavelengths()},
                        {"space", content.colors.space},
-                       {"light", content.colors.light},
+                       {"light", std::string(lightLabel(content.colors.light))},
                        {"weights", weightsOf(content.colors)},
                        {"locus", locusOf(content.colors)},
                        {"triangle", triangleOf(content.colors)},
-                       {"lamps", lamps()},
+                       {"lamps", lamps(content.colors.light)},
                        {"verified", verified(content.verified)},
                        {"histogram", histogramOf(content.texels.histogram)},
                        {"facts", content.facts},

@@ -4,7 +4,6 @@
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
 
-#include <algorithm>
 #include <charconv>
 
 namespace specbake::internal {

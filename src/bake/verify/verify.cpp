@@ -6,6 +6,7 @@
 
 #include <specbake/bake/verify.h>
 #include <specbake/core/error.h>
+#include <specbake/core/observer.h>
 #include <specbake/core/upsampler.h>
 #include <specbake/image/spectral_reader.h>
 #include <specbake/image/texel_decoder.h>
@@ -49,7 +50,7 @@ class Comparison {
         if (std::size_t(window.width) != width() || window.height != height()) {
             throw FileError(spectral, "not of the size of " + texture);
         }
-        total_.illuminant = model_.observer().illuminant();
+        total_.illuminant = lightLabel(model_.observer().illuminant());
     }
 
     Verification run(int threads) {

@@ -13,18 +13,6 @@ py::array_t<double> vector(const Imath::V3d& v) {
     return values;
 }
 
-const char* statusName(SolveReport::Status status) {
-    switch (status) {
-        case SolveReport::Status::solved:
-            return "solved";
-        case SolveReport::Status::outside:
-            return "outside";
-        case SolveReport::Status::failed:
-            break;
-    }
-    return "failed";
-}
-
 }  // namespace
 
 void addSolution(py::module_& module) {
@@ -54,8 +42,9 @@ void addSolution(py::module_& module) {
             "iterations", [](const A& a) { return a.solution.report.iterations; },
             "Newton steps, or path segments.")
         .def("__repr__", [](const A& a) {
-            return std::string("<specbake.Solution: ") + statusName(a.solution.report.status) +
-                   ", gauge " + std::to_string(a.gauge) + ">";
+            const auto status = statusName(a.solution.report.status);
+            return "<specbake.Solution: " + std::string(status) + ", gauge " +
+                   std::to_string(a.gauge) + ">";
         });
 }
 

@@ -1,3 +1,4 @@
+#include "color/named_light.h"
 #include "color/names.h"
 #include "color/tables.h"
 
@@ -10,12 +11,12 @@ using namespace internal;
 
 namespace {
 
-const tables::IlluminantTable& illuminantTable(std::string_view name) {
-    for (const auto& table : tables::illuminants) {
-        if (lowerCase(table.name) == lowerCase(name)) return table;
-    }
-    throw ArgumentError("unknown illuminant '" + std::string(name) + "'" +
-                        suggestion(name, illuminantNames()));
+NamedLight lightNamed(std::string_view name) {
+    if (auto light = findLight(name)) return *std::move(light);
+    std::vector<std::string> names = illuminantNames();
+    const auto& further = furtherIlluminantNames();
+    names.insert(names.end(), further.begin(), further.end());
+    throw ArgumentError("unknown illuminant '" + std::string(name) + "'" + suggestion(name, names));
 }
 
 /// x̄, ȳ, z̄ of a band. The quotient is the double nearest to the printed decimal: both the
@@ -28,9 +29,9 @@ Imath::V3d colorMatching(std::size_t band) {
 }  // namespace
 
 Observer::Observer(std::string_view illuminant) {
-    const tables::IlluminantTable& table = illuminantTable(illuminant);
-    illuminant_ = table.name;
-    const auto& power = table.power;
+    NamedLight light = lightNamed(illuminant);
+    illuminant_ = std::move(light.name);
+    const LightPower& power = light.power;
     double luminance = 0;
     for (std::size_t m = 0; m < weights_.size(); ++m) luminance += power[m] * colorMatching(m).y;
     for (std::size_t m = 0; m < weights_.size(); ++m) {
@@ -47,7 +48,7 @@ XYZ Observer::color(const Spectrum& reflectance) const {
 
 bool isIlluminant(std::string_view name, std::string* reason) {
     try {
-        static_cast<void>(illuminantTable(name));
+        static_cast<void>(lightNamed(name));
         return true;
     } catch (const ArgumentError& error) {
         if (reason != nullptr) *reason = error.what();

@@ -1,6 +1,7 @@
 #include "solid/eigen.h"
 #include "solid/generators.h"
 
+#include <specbake/core/observer.h>
 #include <specbake/core/solid.h>
 #include <specbake/core/solid_facts.h>
 #include <specbake/core/solid_mesh.h>
@@ -14,7 +15,7 @@ SolidFacts solidFacts(const Observer& observer) {
     const Solid solid(observer);
     const SolidMesh mesh = solidMesh(solid);
     SolidFacts facts;
-    facts.illuminant = observer.illuminant();
+    facts.illuminant = lightLabel(observer.illuminant());
     facts.white = solid.white();
     facts.center = solid.center();
     facts.eigenvalues = EigenAnalysis(observer).values();

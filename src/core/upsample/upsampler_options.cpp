@@ -1,4 +1,5 @@
 #include <specbake/core/methods.h>
+#include <specbake/core/observer.h>
 #include <specbake/core/upsampler_options.h>
 
 #include <algorithm>

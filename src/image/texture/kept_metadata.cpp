@@ -1,9 +1,12 @@
 #include "texture/kept_metadata.h"
 
+#include <specbake/image/spectral_layout.h>
+
 #include <algorithm>
 #include <array>
 
-namespace specbake::internal {
+namespace specbake {
+namespace internal {
 namespace {
 
 /// Prefixes and names of what belongs to the old file alone.
@@ -77,4 +80,14 @@ void keepWhatFits(Attributes& attributes, std::vector<std::string>& notes) {
     notes.push_back("metadata under names that an EXR cannot hold are left out: " + list);
 }
 
-}  // namespace specbake::internal
+}  // namespace internal
+
+bool isFreeAttributeName(std::string_view name) {
+    constexpr std::array<std::string_view, 4> taken = {
+        "specbake:", "oiio:", "openexr:", "spectralLayoutVersion"};
+    return internal::fitsExr(name) && std::none_of(taken.begin(), taken.end(), [&](auto prefix) {
+               return name.starts_with(prefix);
+           });
+}
+
+}  // namespace specbake

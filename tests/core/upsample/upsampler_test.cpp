@@ -296,7 +296,8 @@ TEST_CASE("options that cannot be say why, and are refused") {
     CHECK(refused([](auto& o) { o.grid = 1; }) == "a grid has 2 to 129 nodes an axis, not 1");
     CHECK(refused([](auto& o) { o.grid = 130; }) == "a grid has 2 to 129 nodes an axis, not 130");
     CHECK(refused([](auto& o) { o.method = "rough"; }) == "unknown method 'rough'");
-    CHECK(refused([](auto& o) { o.illuminant = "F99"; }) == "unknown illuminant 'F99'");
+    CHECK(refused([](auto& o) { o.illuminant = "F99"; }) ==
+          "unknown illuminant 'F99'; did you mean 'F9'?");
 }
 
 TEST_CASE("a model is told from every other by its identity") {

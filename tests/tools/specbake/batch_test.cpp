@@ -193,6 +193,24 @@ TEST_CASE("one texture goes into a folder that is there, or where a pattern says
     CHECK(tree(scratch.path("")) == Names{"a.b.png", "out/a.b.exr", "x/png.{a.b.png}.exr"});
 }
 
+TEST_CASE("--report of several writes a page about each") {
+    const Scratch scratch;
+    copyTo(scratch, "1x1.png", "in/a.png");
+    copyTo(scratch, "17x33.png", "in/sub/b.png");
+    const std::string in = scratch.path("in");
+    const std::string out = scratch.path("out");
+    const std::string pages = scratch.path("pages");
+    REQUIRE(runTool({"bake", "-q", in, "-o", out, "--report", pages}).exitCode == 0);
+    CHECK(tree(pages) == Names{"a.html", "sub/b.html"});
+    CHECK(contentsOf(pages + "/a.html").find("a.png") != std::string::npos);
+    CHECK(contentsOf(pages + "/sub/b.html").find("b.png") != std::string::npos);
+    checkRefused(scratch, {"bake", in, "-o", out, "--report", out + ".html"},
+                 "several textures need a folder");
+    checkRefused(scratch, {"bake", in, "-o", out, "--report", pages + "/{ext}.html"},
+                 "would become this file");
+    checkRefused(scratch, {"bake", in, "-o", out, "--report", "{dir}/{stem}.png"}, "is an input");
+}
+
 TEST_CASE("what could not come out well is refused before anything is begun") {
     const Scratch scratch;
     for (const char* name : {"a.png", "b.exr", "a.tif", "sub/a.png", "w.1001.png"}) {

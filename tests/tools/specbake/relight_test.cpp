@@ -96,6 +96,28 @@ TEST_CASE("under another light it is what the definitions say") {
     CHECK(tint.y > tint.z);
 }
 
+TEST_CASE("under several lights the pictures of each are side by side") {
+    const Spectral spectral("offset.exr");
+    const Names lights = {"D65", "F11", "LED-B1"};
+    const ReadBack all = spectral.relit("p.exr", {"--illuminant", "D65,F11,LED-B1"});
+    const int width = all.spec.width / 3;
+    CHECK(std::array{all.spec.x, all.spec.y, all.spec.width, all.spec.height} ==
+          std::array{0, 0, 3 * 24, 16});
+    for (int i = 0; i < 3; ++i) {
+        const ReadBack one = spectral.relit("p.exr", {"--illuminant", lights[std::size_t(i)]});
+        REQUIRE(one.spec.width == width);
+        int equal = 0;
+        for (int y = 0; y < all.spec.height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                for (const char* c : {"R", "G", "B"}) {
+                    equal += one.at(x, y, c) == all.at(i * width + x, y, c) ? 1 : 0;
+                }
+            }
+        }
+        CHECK(equal == 3 * width * all.spec.height);
+    }
+}
+
 TEST_CASE("alpha goes into the picture as its format has it") {
     const Spectral spectral("rgba8.png");
     const ReadBack texture(testImage("rgba8.png"));

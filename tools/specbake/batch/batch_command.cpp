@@ -11,11 +11,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 namespace specbake::tool {
 
 ExitCode batchCommand(const BatchArguments& a) {
-    const auto items = planBatch(a.inputs.all, OutputNames(a.output));
+    std::optional<OutputNames> pages;
+    if (!a.pages.empty()) pages.emplace(a.pages, ".html", "--report");
+    const auto items = planBatch(a.inputs.all, OutputNames(a.output), pages);
     const ThreadPool pool(a.options.threads);
     StopSignals signals;
     const auto start = std::chrono::steady_clock::now();

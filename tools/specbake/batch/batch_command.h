@@ -12,6 +12,7 @@ namespace specbake::tool {
 struct BatchArguments {
     Inputs inputs;
     std::string output;
+    std::string pages;    ///< reports, named as the results are; empty for none
     BakeOptions options;  ///< of each
     bool update = false;
     BatchReport::Options report;

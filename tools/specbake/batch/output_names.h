@@ -17,17 +17,23 @@ namespace specbake::tool {
 /// `wood.<UDIM>.png`. {{ and }} are braces.
 class OutputNames {
   public:
+    /// `extension`: of results in a folder; `option`: whose words these are, for messages.
     /// Throws ArgumentError for a name that would be the same for all.
-    explicit OutputNames(std::string output);
+    explicit OutputNames(std::string output, std::string extension = ".exr",
+                         std::string option = "--output");
 
     /// Throws ArgumentError for what a pattern names and the input has not.
     std::string nameFor(const Input& input) const;
 
-    /// Whether `output` can name more than one result.
-    static bool namesMany(const std::string& output);
-
   private:
+    bool namesMany() const;
+    std::string numberOf(const Input& input) const;
+    std::string fieldOf(const Input& input, const std::string& field) const;
+    std::string filled(const Input& input) const;
+
     std::string output_;
+    std::string extension_;
+    std::string option_;
 };
 
 }  // namespace specbake::tool

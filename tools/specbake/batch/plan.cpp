@@ -24,6 +24,28 @@ bool isPassedOver(const Input& input) {
     return input.found && exrText(input.path, "spectralLayoutVersion").has_value();
 }
 
+/// Which files are read and which are written.
+class FileNames {
+  public:
+    void addTexture(const std::string& name) { textures_.insert(identified(name)); }
+
+    /// Throws ArgumentError if it is a texture, or what another texture becomes.
+    void addResult(const std::string& name, const std::string& texture) {
+        const fs::path path = identified(name);
+        if (textures_.count(path) > 0) throw ArgumentError(name + ": the output is an input");
+        const auto [other, isNew] = madeOf_.emplace(path, texture);
+        if (isNew) return;
+        throw ArgumentError(name + ": both " + other->second + " and " + texture +
+                            " would become this file; name the results by a pattern such as "
+                            "'OUT/{tree}/{name}" +
+                            path.extension().string() + "'");
+    }
+
+  private:
+    std::set<fs::path> textures_;
+    std::map<fs::path, std::string> madeOf_;
+};
+
 }  // namespace
 
 void checkSpectralName(const std::string& output) {
@@ -35,27 +57,24 @@ void checkSpectralName(const std::string& output) {
     }
 }
 
-std::vector<BatchItem> planBatch(std::vector<Input> inputs, const OutputNames& names) {
-    std::set<fs::path> textures;
+std::vector<BatchItem> planBatch(std::vector<Input> inputs, const OutputNames& names,
+                                 const std::optional<OutputNames>& pages) {
+    FileNames files;
     std::vector<BatchItem> items;
     for (Input& input : inputs) {
-        const bool passed = isPassedOver(input);
-        if (!passed) textures.insert(identified(input.path));
-        std::string output = passed ? "" : names.nameFor(input);
-        items.push_back({std::move(input), std::move(output)});
-    }
-    std::map<fs::path, std::string> madeOf;
-    for (const auto& [input, output] : items) {
-        if (output.empty()) continue;
-        checkSpectralName(output);
-        const fs::path path = identified(output);
-        if (textures.count(path) > 0) throw ArgumentError(output + ": the output is an input");
-        const auto [other, isNew] = madeOf.emplace(path, input.path);
-        if (!isNew) {
-            throw ArgumentError(output + ": both " + other->second + " and " + input.path +
-                                " would become this file; name the results by a pattern such as "
-                                "'OUT/{tree}/{name}.exr'");
+        BatchItem item{std::move(input), {}, {}};
+        if (!isPassedOver(item.input)) {
+            files.addTexture(item.input.path);
+            item.output = names.nameFor(item.input);
+            if (pages) item.page = pages->nameFor(item.input);
         }
+        items.push_back(std::move(item));
+    }
+    for (const BatchItem& item : items) {
+        if (item.output.empty()) continue;
+        checkSpectralName(item.output);
+        files.addResult(item.output, item.input.path);
+        if (pages) files.addResult(item.page, item.input.path);
     }
     return items;
 }

@@ -1,5 +1,6 @@
 #include "batch/run.h"
 
+#include "bake_report.h"
 #include "batch/side_by_side.h"
 
 #include <specbake/bake/model_cache.h>
@@ -27,6 +28,11 @@ constexpr std::size_t kLarge = std::size_t(1) << 20;  // texels
 std::string reasonOf(const std::exception& error, const std::string& file) {
     const std::string what = error.what();
     return what.starts_with(file + ": ") ? what.substr(file.size() + 2) : what;
+}
+
+void makeFolderOf(const std::string& file) {
+    const fs::path folder = fs::path(file).parent_path();
+    if (!folder.empty()) fs::create_directories(folder);
 }
 
 class Batch {
@@ -89,12 +95,15 @@ class Batch {
         if (stopped()) return;
         attempt(i, [&](BatchResult& result) {
             const BatchItem& item = items_[i];
-            const fs::path folder = fs::path(item.output).parent_path();
-            if (!folder.empty()) fs::create_directories(folder);
+            makeFolderOf(item.output);
             BakeOptions options = options_.bake;
             options.threads = threads;
             options.progress = [this, i](double done) { advance(i, done); };
             result.statistics = bake(item.input.path, item.output, options);
+            if (!item.page.empty()) {
+                makeFolderOf(item.page);
+                writePage(item.page, item.input.path, item.output, options, result.statistics);
+            }
             result.outcome = Outcome::baked;
         });
     }

@@ -118,7 +118,7 @@ TEST_CASE("what cannot be a second texture is refused") {
     const std::string good = chart.scratch.path("a.exr");
     CHECK(chart.bake({"--second", good}).exitCode == 2);
     CHECK(chart.bake({"--second", "A="}).exitCode == 2);
-    CHECK(chart.bake({"--second", "B=" + good}).exitCode == 2);
+    CHECK(chart.bake({"--second", "Z=" + good}).exitCode == 2);
     CHECK(chart.bake({"--second", "D65=" + good}).exitCode == 2);
     CHECK(chart.bake({"--second", "d65=" + good}).exitCode == 2);
     CHECK(chart.bake({"--second", "A=" + good, "--max-de", "0.1"}).exitCode == 2);

@@ -41,6 +41,9 @@ struct BakeOptions {
     /// Instead of `bits`: the fewest that keep every texel within this CIEDE2000.
     std::optional<double> maxDE;
     StorageOptions storage;
+    /// Metadata that the file carries beside the texture's, or instead of them, under names that
+    /// are free (isFreeAttributeName()).
+    Attributes attributes;
     std::shared_ptr<ModelCache> models;    ///< shared with other bakes; none: no one else's
     int threads = 0;                       ///< 0: all cores
     std::stop_token stop;                  ///< when stopped, bake() throws Cancelled

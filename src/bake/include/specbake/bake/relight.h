@@ -7,12 +7,15 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace specbake {
 
 /// How a spectral image is shown under a light. The defaults are those of `specbake relight`.
 struct RelightOptions {
-    std::string illuminant = "A";  ///< of illuminantNames()
+    std::string illuminant = "A";  ///< as an Observer takes it
+    /// Further lights: a picture under each, side by side to the right of the first.
+    std::vector<std::string> beside;
     /// How the viewer's eye has adapted to the light: white looks white; none: it shows its tint.
     Adaptation adapt = Adaptation::bradford;
     double exposure = 0;                   ///< stops
@@ -23,7 +26,8 @@ struct RelightOptions {
 
 /// Integrates the bands of `spectral` under the light and writes what a viewer sees, in linear
 /// Rec.709 or sRGB after the format of `picture` (preview_writer.h). At exposure 0 the largest
-/// component of a white surface is 1, so that no reflectance is clipped for its brightness.
+/// component of a white surface is 1 under each light, so that no reflectance is clipped for its
+/// brightness. One light keeps the windows; several are side by side in a window at (0, 0).
 /// Throws FileError, ArgumentError, Cancelled.
 SPECBAKE_API void relight(const std::string& spectral, const std::filesystem::path& picture,
                           const RelightOptions& options);

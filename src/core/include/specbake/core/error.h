@@ -2,8 +2,11 @@
 
 #include <specbake/core/api.h>
 
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace specbake {
 
@@ -35,5 +38,14 @@ class SPECBAKE_API Cancelled : public Error {
   public:
     Cancelled() : Error("stopped") {}
 };
+
+/// What someone probably meant who gave a name that is not there: that of `names` which is fewest
+/// edits (one letter more, less, another, or swapped with its neighbour) from the text, if those
+/// are at most a third of its letters. Only letters and digits count, in any case.
+SPECBAKE_API std::optional<std::string> nearestName(std::string_view text,
+                                                    std::span<const std::string> names);
+
+/// To end a message with: "; did you mean 'D65'?", or nothing if no name is near.
+SPECBAKE_API std::string suggestion(std::string_view text, std::span<const std::string> names);
 
 }  // namespace specbake

@@ -3,10 +3,13 @@
 #include <specbake/core/api.h>
 #include <specbake/core/color.h>
 #include <specbake/core/spectrum.h>
+#include <specbake/core/wavelengths.h>
 
 #include <Imath/ImathVec.h>
 
 #include <array>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,11 +20,12 @@ namespace specbake {
 /// colour-matching functions and illuminant, scaled so that the perfect reflector has Y = 1.
 class SPECBAKE_API Observer {
   public:
-    /// An illuminant of `illuminantNames()`, in any case. Throws ArgumentError for another name,
-    /// and says which known one is near.
+    /// An illuminant of `illuminantNames()` or `furtherIlluminantNames()`, in any case, or a light
+    /// of one's own (lightText()). Throws ArgumentError for another name, and says which one is
+    /// near.
     explicit Observer(std::string_view illuminant);
 
-    /// As `illuminantNames()` has it.
+    /// As the list of names has it, or the text of a light of one's own.
     const std::string& illuminant() const { return illuminant_; }
     /// Of the colour-matching functions.
     std::string_view name() const { return "CIE 1931 2 degree, 5 nm"; }
@@ -44,7 +48,38 @@ class SPECBAKE_API Observer {
 /// The illuminants that are offered: E, A, C, D50, D55, D60, D65, D75, F2, F11.
 SPECBAKE_API const std::vector<std::string>& illuminantNames();
 
-/// Whether it is one of them, in any case. `reason`, if it is given, says why not: one line.
+/// Whether an Observer takes it. `reason`, if it is given, says why not: one line.
 [[nodiscard]] SPECBAKE_API bool isIlluminant(std::string_view name, std::string* reason = nullptr);
+
+/// Relative spectral power at the bands.
+using LightPower = std::array<double, kBandCount>;
+
+/// What a spectrometer or a data sheet tells of a light.
+struct LightSample {
+    double wavelength = 0;  ///< nm
+    double power = 0;       ///< relative, at least 0
+};
+
+/// The samples at the bands: where they are nearer together than these, the mean around each band,
+/// weighted by the triangle that reaches to its neighbours; else linear between samples. Where they
+/// are at the bands, they are taken as they are. Beyond the first and the last, these are repeated.
+/// Throws ArgumentError for fewer than two, for wavelengths that do not ascend or do not reach from
+/// 400 to 700 nm, and for powers that are not finite, negative, or all 0.
+SPECBAKE_API LightPower lightPower(std::span<const LightSample> samples);
+
+/// Illuminants of CIE 15 that are offered beside illuminantNames(): F1 to F12, F3.1 to F3.15,
+/// HP1 to HP5, the LED series, ID50, ID65, B.
+SPECBAKE_API const std::vector<std::string>& furtherIlluminantNames();
+
+/// A light of one's own, in the form in which every function here takes it for the name of an
+/// illuminant: "LABEL: 1.5 1.25 …", 81 numbers. The name of an offered illuminant if it has the
+/// same powers, up to a factor, to 10⁻⁹. Control characters in the label become spaces.
+SPECBAKE_API std::string lightText(std::string_view label, const LightPower& power);
+
+/// Its inverse, and that of the names of offered illuminants; nothing for other text.
+SPECBAKE_API std::optional<LightPower> powerOfLight(std::string_view illuminant);
+
+/// What to call it: the name, or the label.
+SPECBAKE_API std::string_view lightLabel(std::string_view illuminant);
 
 }  // namespace specbake

@@ -5,6 +5,7 @@
 #include <specbake/core/spectrum.h>
 
 #include <span>
+#include <string_view>
 
 namespace specbake {
 
@@ -23,6 +24,9 @@ struct SolveReport {
     bool fellBack = false;  ///< the method asked for failed, and the shell solved
     bool blended = false;   ///< the shell mixed the solution with the boundary's spectrum
 };
+
+/// "solved", "outside", "failed".
+SPECBAKE_API std::string_view statusName(SolveReport::Status status);
 
 struct [[nodiscard]] Solution {
     Spectrum spectrum{};

@@ -59,6 +59,11 @@ constexpr int rowsPerChunk(Compression compression) {
     return compression == Compression::zip ? 16 : compression == Compression::piz ? 32 : 1;
 }
 
+/// Whether a file's user may say something under that name: 1 to 31 characters, none of the
+/// attributes by which EXR, the layout or OpenImageIO ("oiio:…") describe the file, and none of
+/// specbake's own ("specbake:…").
+SPECBAKE_API bool isFreeAttributeName(std::string_view name);
+
 /// What a spectral file says of itself.
 struct SpectralHeader {
     Window data;

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace specbake::tool {
+
+/// The page of the program or of one of its commands for man(1), made of what its help is made of.
+std::string manualPage(const CLI::App& program, const CLI::App* command);
+
+}  // namespace specbake::tool
