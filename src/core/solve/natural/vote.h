@@ -47,7 +47,7 @@ class Vote {
     /// `solver` is the observer's. Samples that it does not solve are left out.
     Vote(const Observer& observer, const Solver& solver, const std::vector<MeasuredSet>& sets);
 
-    /// v. `color` is finite. About 2 µs.
+    /// v. `color` is finite. About 8 µs.
     Spectrum at(const XYZ& color) const;
 
   private:
