@@ -42,6 +42,12 @@ Attributes bakedAttributes(const Attributes& texture, const ColorMeaning& meanin
     if (isAdapted(meaning.space, upsampler.observer())) {
         put(all, "specbake:adaptation", std::string(adaptationName(model.adapt)));
     }
+    if (model.quadrature != Quadrature::bands) {
+        put(all, "specbake:quadrature", std::string(quadratureText(model.quadrature)));
+    }
+    if (model.bands != Wavelengths()) {
+        put(all, "specbake:wavelengths", wavelengthsText(model.bands));
+    }
     all["specbake:outside"] = std::string(outsideName(model.outside));
     return all;
 }

@@ -57,8 +57,12 @@ class Job {
         if (map_) addMaterials(attributes, options_.mappedMaterials, *options_.materialMap);
         if (second_) addSecond(attributes, options_.secondLight, *options_.second);
         addChosen(attributes, options_);
-        return {info.data, info.display, info.pixelAspectRatio, info.alpha.has_value(),
-                std::move(attributes)};
+        return {info.data,
+                info.display,
+                info.pixelAspectRatio,
+                info.alpha.has_value(),
+                std::move(attributes),
+                upsampler_->options().bands};
     }
 
     /// Of a texture with that fingerprint.

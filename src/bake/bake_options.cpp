@@ -36,6 +36,9 @@ std::string problemOfSecond(const BakeOptions& options) {
     }
     std::string reason;
     if (options.second && !isIlluminant(options.secondLight, &reason)) return reason;
+    if (options.second && options.model.bands != Wavelengths()) {
+        return "a texture under a second light is for the bands 380:780:5";
+    }
     return {};
 }
 

@@ -45,6 +45,7 @@ Baking::Baking(const TexelSource& source, const Upsampler& upsampler, SpectralSi
       upsampler_(upsampler),
       sink_(sink),
       bits_(bits),
+      channels_(SampleSelection::channels(upsampler.options().bands)),
       pyramid_(std::span(sink.levels()).subspan(1), sink.alpha()),
       levelTiles_(sink, bits) {}
 
@@ -195,7 +196,7 @@ void Baking::bakeRun(const Band& band, const Window& run, SampleType type, Buffe
     const auto colorPlanes = samples.subspan(info.alpha ? plane : 0);
     const auto first = std::size_t(run.y) * std::size_t(info.data.width) + std::size_t(run.x);
     const bool later = !beside_.empty() || isShort(type);  // stored from floats
-    buffers.unrounded.resize(later ? kTexelSamples * count : 0);
+    buffers.unrounded.resize(later ? channels_.count() * count : 0);
     const auto target =
         later ? SampleTarget::planar(SampleType::float32,
                                      std::as_writable_bytes(std::span(buffers.unrounded)).data(),

@@ -70,7 +70,7 @@ class Baking {
     std::vector<Beside> beside_;
     SpectralSink& sink_;
     int bits_;
-    SampleSelection channels_ = SampleSelection::channels();
+    SampleSelection channels_;
     std::vector<std::byte> readAhead_;  ///< of the texture
     Pyramid pyramid_;
     LevelTiles levelTiles_;

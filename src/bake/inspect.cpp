@@ -23,24 +23,26 @@ BandStatistics bandStatistics(const std::string& spectral) {
     const Window& window = reader.header().data;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     BandStatistics statistics;
-    statistics.least = constantSpectrum(infinity);
-    statistics.largest = constantSpectrum(-infinity);
+    const std::size_t bands = reader.wavelengths().size();
+    statistics.least.assign(bands, infinity);
+    statistics.mean.assign(bands, 0);
+    statistics.largest.assign(bands, -infinity);
     statistics.texels = std::size_t(window.width) * std::size_t(window.height);
     constexpr int together = 16;  // rows of a ZIP chunk
     std::vector<float> samples;
     for (int row = 0; row < window.height; row += together) {
         const int rows = std::min(together, window.height - row);
-        samples.resize(std::size_t(rows) * std::size_t(window.width) * kBandCount);
+        samples.resize(std::size_t(rows) * std::size_t(window.width) * bands);
         reader.readRows(row, rows, samples);
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            count(statistics, i % kBandCount, double(samples[i]));
+            count(statistics, i % bands, double(samples[i]));
         }
     }
     for (double& mean : statistics.mean) mean /= double(statistics.texels);
     return statistics;
 }
 
-Spectrum spectrumAt(SpectralReader& reader, int x, int y) {
+std::vector<double> spectrumAt(SpectralReader& reader, int x, int y) {
     const Window& window = reader.header().data;
     const int column = x - window.x;
     const int row = y - window.y;
@@ -48,12 +50,11 @@ Spectrum spectrumAt(SpectralReader& reader, int x, int y) {
         throw ArgumentError("(" + std::to_string(x) + ", " + std::to_string(y) +
                             ") is outside the data window");
     }
-    std::vector<float> samples(std::size_t(window.width) * kBandCount);
+    const auto bands = std::ptrdiff_t(reader.wavelengths().size());
+    std::vector<float> samples(std::size_t(window.width) * std::size_t(bands));
     reader.readRows(row, 1, samples);
-    Spectrum spectrum;
-    const auto first = samples.begin() + std::ptrdiff_t(column) * kBandCount;
-    std::copy_n(first, kBandCount, spectrum.begin());
-    return spectrum;
+    const auto first = samples.begin() + column * bands;
+    return {first, first + bands};
 }
 
 }  // namespace specbake

@@ -1,24 +1,38 @@
 #include "lit_bands.h"
 
+#include "reading.h"
+
 #include <specbake/core/adaptation.h>
-#include <specbake/core/observer.h>
+#include <specbake/core/color.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace specbake::internal {
 
-LitBands litBands(const RelightOptions& options) {
-    const Observer lit(options.illuminant);
-    const XYZ daylight = Observer("D65").white();
+namespace {
+
+XYZ whiteOf(const std::vector<Imath::V3d>& weights) {
+    XYZ white;
+    for (const Imath::V3d& w : weights) white += w;
+    return white;
+}
+
+}  // namespace
+
+LitBands litBands(const std::string& path, const SpectralReader& reader,
+                  const RelightOptions& options) {
+    const Quadrature quadrature =
+        options.quadrature ? *options.quadrature : statedQuadrature(path, reader);
+    const auto lit = readerWeights(path, reader, options.illuminant, quadrature);
+    const XYZ litWhite = whiteOf(lit);
+    const XYZ daylight = whiteOf(readerWeights(path, reader, "D65", quadrature));
     const Imath::M33d shown = xyzFromRGB(*findColorSpace("lin_rec709"), daylight).inverse();
-    const Imath::M33d rgbFromXYZ = adaptation(lit.white(), daylight, options.adapt) * shown;
-    const Imath::V3d white = lit.white() * rgbFromXYZ;
+    const Imath::M33d rgbFromXYZ = adaptation(litWhite, daylight, options.adapt) * shown;
+    const Imath::V3d white = litWhite * rgbFromXYZ;
     const double gain = std::exp2(options.exposure) / std::max({white.x, white.y, white.z});
     LitBands colors;
-    for (std::size_t m = 0; m < colors.size(); ++m) {
-        colors[m] = Imath::V3f(lit.weights()[m] * rgbFromXYZ * gain);
-    }
+    for (const Imath::V3d& w : lit) colors.push_back(Imath::V3f(w * rgbFromXYZ * gain));
     return colors;
 }
 

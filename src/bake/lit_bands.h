@@ -1,19 +1,22 @@
 #pragma once
 
 #include <specbake/bake/relight.h>
-#include <specbake/core/wavelengths.h>
+#include <specbake/image/spectral_reader.h>
 
 #include <Imath/ImathVec.h>
 
-#include <array>
+#include <string>
+#include <vector>
 
 namespace specbake::internal {
 
 /// What each band gives to linear Rec.709 R, G, B at reflectance 1.
-using LitBands = std::array<Imath::V3f, kBandCount>;
+using LitBands = std::vector<Imath::V3f>;
 
-/// The weights w_m of (1) under the light of the options, adapted to it if asked for, scaled as
-/// relight.h says. Throws ArgumentError for an unknown light.
-LitBands litBands(const RelightOptions& options);
+/// The weights of the file's bands (reading.h) under the light of the options, adapted to it if
+/// asked for, scaled as relight.h says. Throws ArgumentError for an unknown light, FileError where
+/// the file has not the bands of the quadrature.
+LitBands litBands(const std::string& path, const SpectralReader& reader,
+                  const RelightOptions& options);
 
 }  // namespace specbake::internal

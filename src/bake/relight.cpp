@@ -15,12 +15,13 @@ using namespace internal;
 
 namespace {
 
-std::vector<LitBands> allLitBands(const RelightOptions& options) {
-    std::vector<LitBands> all = {litBands(options)};
+std::vector<LitBands> allLitBands(const std::string& path, const SpectralReader& reader,
+                                  const RelightOptions& options) {
+    std::vector<LitBands> all = {litBands(path, reader, options)};
     for (const std::string& light : options.beside) {
         RelightOptions other = options;
         other.illuminant = light;
-        all.push_back(litBands(other));
+        all.push_back(litBands(path, reader, other));
     }
     return all;
 }
@@ -42,8 +43,8 @@ class Relighting {
   public:
     Relighting(const std::string& spectral, const std::filesystem::path& picture,
                const RelightOptions& options)
-        : lights_(allLitBands(options)),
-          reader_(spectral),
+        : reader_(spectral),
+          lights_(allLitBands(spectral, reader_, options)),
           writer_(picture, widened(reader_.header(), lights_.size())) {}
 
     void run(const RelightOptions& options) {
@@ -63,7 +64,7 @@ class Relighting {
 
     /// Some rows on their way.
     struct Band {
-        std::vector<float> samples;  ///< kBandCount a texel
+        std::vector<float> samples;  ///< of each texel its bands
         std::vector<float> alpha;
         std::vector<float> picture;  ///< R, G, B, A a texel; in each row the pictures in turn
     };
@@ -75,7 +76,7 @@ class Relighting {
         Band& band = bands_[std::size_t(i)];
         const int rows = std::min(kRows, height() - i * kRows);
         band.alpha.resize(std::size_t(rows) * width(), 1.0F);
-        band.samples.resize(band.alpha.size() * kBandCount);
+        band.samples.resize(band.alpha.size() * lights_.front().size());
         reader_.readRows(i * kRows, rows, band.samples, band.alpha);
     }
 
@@ -92,7 +93,7 @@ class Relighting {
         for (std::size_t t = first; t < first + width(); ++t) {
             Imath::V3f sum(0.0F);
             for (std::size_t m = 0; m < colors.size(); ++m) {
-                sum += colors[m] * band.samples[t * kBandCount + m];
+                sum += colors[m] * band.samples[t * colors.size() + m];
             }
             band.picture.insert(band.picture.end(), {sum.x, sum.y, sum.z, band.alpha[t]});
         }
@@ -108,8 +109,8 @@ class Relighting {
         band = {};
     }
 
-    std::vector<LitBands> lights_;
     SpectralReader reader_;
+    std::vector<LitBands> lights_;
     PreviewWriter writer_;
     std::vector<Band> bands_;
 };

@@ -60,6 +60,14 @@ std::vector<std::string> outsideNames() {
     return names;
 }
 
+std::vector<std::string> quadratureNames() {
+    std::vector<std::string> names;
+    for (const Quadrature quadrature : kQuadratures) {
+        names.emplace_back(quadratureName(quadrature));
+    }
+    return names;
+}
+
 /// "smooth: the smoothest spectrum; …"
 std::string methodSummaries() {
     std::string text;
@@ -144,6 +152,13 @@ UpsamplerOptions ModelArguments::options(std::vector<std::string>& notes) const 
     options.method = method;
     options.outside = outsideFromName(outside).value();
     options.adapt = adaptationFromName(adapt).value();
+    if (wavelengths) {
+        options.bands = parseWavelengths(*wavelengths);
+        options.quadrature = Quadrature::fine;
+    }
+    if (quadrature) options.quadrature = quadratureFromName(*quadrature).value();
+    std::string reason;
+    if (!options.isValid(&reason)) throw ArgumentError(reason);
     return options;
 }
 
@@ -170,6 +185,17 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::st
         "--samples", arguments.samples,
         "measured spectra of yours, on top of the method: at their colours spectra are "
         "theirs. CSV, a sample or a wavelength a row, or CGATS");
+    command
+        .add_option("--quadrature", arguments.quadrature,
+                    "the reader for whom colours are exact: one who sums the 81 bands (bands, the "
+                    "default), or one who integrates every 1 nm from 360 to 830 nm, linear between "
+                    "bands, as renderers do (fine, the default with --wavelengths)")
+        ->check(CLI::IsMember(quadratureNames()));
+    command
+        .add_option("--wavelengths", arguments.wavelengths,
+                    "bands other than 380:780:5, evenly spaced in nm, such as 400:700:10; more "
+                    "than 81 are linear between 81 knots")
+        ->type_name("START:STOP:STEP");
 }
 
 void addOutsideOption(CLI::App& command, ModelArguments& arguments) {
@@ -180,6 +206,18 @@ void addOutsideOption(CLI::App& command, ModelArguments& arguments) {
                     "wholly out of reach; or an error")
         ->check(CLI::IsMember(outsideNames()))
         ->capture_default_str();
+}
+
+void addReaderQuadrature(CLI::App& command, std::optional<std::string>& name) {
+    command
+        .add_option("--quadrature", name,
+                    "how the bands are integrated, instead of the way that the file names: the sum "
+                    "over them (bands), or every 1 nm from 360 to 830 (fine)")
+        ->check(CLI::IsMember(quadratureNames()));
+}
+
+std::optional<Quadrature> quadratureOf(const std::optional<std::string>& name) {
+    return name ? quadratureFromName(*name) : std::nullopt;
 }
 
 void printNotes(const std::vector<std::string>& notes, const Upsampler& upsampler) {

@@ -43,15 +43,18 @@ struct ModelArguments {
     std::string samples;   ///< a file, "" for none
     std::string outside{outsideName(UpsamplerOptions().outside)};
     std::string adapt{adaptationName(UpsamplerOptions().adapt)};
+    std::optional<std::string> quadrature;   ///< none: fine with --wavelengths, else bands
+    std::optional<std::string> wavelengths;  ///< START:STOP:STEP
 
     /// The options with all else as it is by default. Reads the samples; what there is to tell of
-    /// their file is added to `notes`. Throws FileError, and ArgumentError for several materials.
+    /// their file is added to `notes`. Throws FileError, and ArgumentError for several materials or
+    /// wavelengths that cannot be.
     UpsamplerOptions options(std::vector<std::string>& notes) const;
     std::vector<std::string> materials() const;
 };
 
-/// `--illuminant`, `--adapt`, `--method`, `--material`, `--samples`. `white`: what "auto" means
-/// for the light.
+/// `--illuminant`, `--adapt`, `--method`, `--material`, `--samples`, `--quadrature`,
+/// `--wavelengths`. `white`: what "auto" means for the light.
 void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::string& white);
 
 /// `--outside`
@@ -59,6 +62,12 @@ void addOutsideOption(CLI::App& command, ModelArguments& arguments);
 
 /// To stderr, a line each: the notes of the options, then those of the model made of them.
 void printNotes(const std::vector<std::string>& notes, const Upsampler& upsampler);
+
+/// `--quadrature` of a command that reads a spectral image, which says itself what it is.
+void addReaderQuadrature(CLI::App& command, std::optional<std::string>& name);
+
+/// Of its name, which must be one.
+std::optional<Quadrature> quadratureOf(const std::optional<std::string>& name);
 
 /// What of a texture is read, as words of the command line.
 struct ReadArguments {

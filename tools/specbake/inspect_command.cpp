@@ -10,12 +10,14 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <numeric>
+#include <optional>
 
 namespace specbake::tool {
 namespace {
@@ -41,6 +43,15 @@ double mean(const BandStatistics& s) {
     return std::accumulate(s.mean.begin(), s.mean.end(), 0.0) / double(s.mean.size());
 }
 
+/// In nm, where bands are evenly spaced as their names tell it.
+std::optional<double> evenStep(const std::vector<double>& nm) {
+    const double step = (nm.back() - nm.front()) / double(nm.size() - 1);
+    for (std::size_t i = 0; i < nm.size(); ++i) {
+        if (std::abs(nm[i] - nm.front() - double(i) * step) > 1e-5) return {};
+    }
+    return std::round(step * 1e6) / 1e6;
+}
+
 std::vector<Curve> curvesAt(SpectralReader& reader, const std::vector<int>& places) {
     std::vector<Curve> curves;
     for (std::size_t i = 0; i < places.size(); i += 2) {
@@ -60,6 +71,17 @@ Json windowJson(const Window& w) {
     return {{"x", w.x}, {"y", w.y}, {"width", w.width}, {"height", w.height}};
 }
 
+/// Even spacing by its step, any other wavelength by wavelength.
+Json bandsJson(const std::vector<double>& nm) {
+    Json json = {{"count", nm.size()}, {"first_nm", nm.front()}, {"last_nm", nm.back()}};
+    if (const auto step = evenStep(nm)) {
+        json["step_nm"] = *step;
+    } else {
+        json["nm"] = nm;
+    }
+    return json;
+}
+
 Json factsJson(const SpectralReader& reader, const BandStatistics& s) {
     const StorageFacts facts = reader.facts();
     Json attributes = Json::object();
@@ -74,7 +96,7 @@ Json factsJson(const SpectralReader& reader, const BandStatistics& s) {
             {"compression", facts.compression},
             {"tile", tile},
             {"mip_levels", facts.levels},
-            {"bands", {{"count", kBandCount}, {"first_nm", 380}, {"step_nm", 5}}},
+            {"bands", bandsJson(reader.wavelengths())},
             {"reflectance",
              {{"min", least(s)},
               {"mean", mean(s)},
@@ -91,8 +113,10 @@ void printFacts(const std::string& path, const SpectralReader& reader, const Ban
                 data.height, facts.channels, facts.sampleType.c_str(), facts.compression.c_str());
     if (facts.tileWidth > 0) std::printf(", tiles %d x %d", facts.tileWidth, facts.tileHeight);
     if (facts.levels > 1) std::printf(", %d mip levels", facts.levels);
-    std::printf("\nbands: %d, %d to %d nm every %d nm%s\n", kBandCount, kFirstWavelength,
-                wavelength(kBandCount - 1), kWavelengthStep,
+    const std::vector<double>& nm = reader.wavelengths();
+    const auto step = evenStep(nm);
+    std::printf("\nbands: %zu, %g to %g nm %s%s\n", nm.size(), nm.front(), nm.back(),
+                step ? fmt::format("every {:g} nm", *step).c_str() : "unevenly spaced",
                 reader.header().alpha ? "; alpha" : "");
     std::printf("data window: from (%d, %d); display window: %d x %d from (%d, %d)\n", data.x,
                 data.y, display.width, display.height, display.x, display.y);
@@ -103,21 +127,22 @@ void printFacts(const std::string& path, const SpectralReader& reader, const Ban
     }
 }
 
-void printCsv(const std::vector<Curve>& curves) {
+void printCsv(const std::vector<double>& wavelengths, const std::vector<Curve>& curves) {
     std::printf("wavelength_nm");
     for (const Curve& curve : curves) std::printf(",\"%s\"", curve.name.c_str());
     std::printf("\n");
-    for (int band = 0; band < kBandCount; ++band) {
-        std::printf("%d", wavelength(band));
-        for (const Curve& curve : curves) std::printf(",%.9g", curve.spectrum[std::size_t(band)]);
+    for (std::size_t band = 0; band < wavelengths.size(); ++band) {
+        std::printf("%.9g", wavelengths[band]);
+        for (const Curve& curve : curves) std::printf(",%.9g", curve.spectrum[band]);
         std::printf("\n");
     }
 }
 
-void writePlot(const Arguments& a, const std::vector<Curve>& curves) {
+void writePlot(const Arguments& a, const SpectralReader& reader, const std::vector<Curve>& curves) {
     OutputFile file(a.plotFile);
     std::ofstream out(file.temporaryPath());
-    out << spectrumPlot(std::filesystem::path(a.spectral).filename().string(), curves);
+    out << spectrumPlot(std::filesystem::path(a.spectral).filename().string(), reader.wavelengths(),
+                        curves);
     out.close();
     if (!out) throw FileError(a.plotFile, "cannot be written");
     file.commit();
@@ -126,8 +151,8 @@ void writePlot(const Arguments& a, const std::vector<Curve>& curves) {
 /// Texels alone: the file is not read as a whole.
 void inspectTexels(const Arguments& a, SpectralReader& reader) {
     const std::vector<Curve> curves = curvesAt(reader, a.places);
-    if (!a.plotFile.empty()) writePlot(a, curves);
-    if (!a.json) return printCsv(curves);
+    if (!a.plotFile.empty()) writePlot(a, reader, curves);
+    if (!a.json) return printCsv(reader.wavelengths(), curves);
     Json texels = Json::array();
     for (std::size_t i = 0; i < curves.size(); ++i) {
         texels.push_back({{"x", a.places[2 * i]},
@@ -147,7 +172,7 @@ ExitCode inspectCommand(const Arguments& a) {
         return kDone;
     }
     const BandStatistics statistics = bandStatistics(a.spectral);
-    if (!a.plotFile.empty()) writePlot(a, curvesOf(statistics));
+    if (!a.plotFile.empty()) writePlot(a, reader, curvesOf(statistics));
     if (a.json) {
         std::cout << factsJson(reader, statistics).dump(2) << '\n';
     } else {
@@ -165,7 +190,7 @@ Command addInspect(CLI::App& program) {
     command->add_option("spectral", a->spectral, "spectral image")->required();
     command
         ->add_option("--at", a->places,
-                     "print the 81 values of the texel X Y as CSV; may be given again")
+                     "print the values of the texel X Y as CSV; may be given again")
         ->type_size(2)
         ->type_name("X Y");
     command->add_option("--plot", a->plotFile,

@@ -3,7 +3,6 @@
 
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
-#include <specbake/core/solid_facts.h>
 #include <specbake/core/solid_mesh.h>
 #include <specbake/image/output_file.h>
 

@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace specbake::tool {
 namespace {
@@ -24,6 +25,7 @@ struct Arguments {
     RelightOptions options;  ///< all but the following
     std::vector<std::string> lights = {RelightOptions().illuminant};
     std::string adapt{adaptationName(RelightOptions().adapt)};
+    std::optional<std::string> quadrature;
     bool noAdapt = false;
     bool quiet = false;
 };
@@ -41,6 +43,7 @@ ExitCode relightCommand(const Arguments& a) {
         options.illuminant = a.lights.front();
         options.beside.assign(a.lights.begin() + 1, a.lights.end());
         options.adapt = a.noAdapt ? Adaptation::none : adaptationFromName(a.adapt).value();
+        options.quadrature = quadratureOf(a.quadrature);
         options.stop = signals.token();
         options.progress = [&bar](double done) { bar.show(done); };
         relight(a.spectral, a.picture, options);
@@ -80,6 +83,7 @@ Command addRelight(CLI::App& program) {
     command->add_option("--exposure", a->options.exposure, "stops, to darken or brighten")
         ->check(CLI::Range(-32.0, 32.0) & isFinite())
         ->capture_default_str();
+    addReaderQuadrature(*command, a->quadrature);
     addThreads(*command, a->options.threads);
     command->add_flag("-q,--quiet", a->quiet, "no progress bar");
     return [a] { return relightCommand(*a); };

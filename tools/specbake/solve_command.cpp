@@ -57,11 +57,28 @@ ColorAnswer solve(const Arguments& a, const Upsampler& upsampler) {
     return answer;
 }
 
-void printJson(const ColorAnswer& answer, const std::string& illuminant) {
+/// What is not the sum over the 81 bands stands beside the light.
+std::string lightText(const Observer& observer) {
+    if (observer.quadrature() == Quadrature::bands)
+        return std::string(lightLabel(observer.illuminant()));
+    return std::string(lightLabel(observer.illuminant())) + ", integrated every 1 nm";
+}
+
+/// Of the bands that a reader gets.
+std::vector<double> reflectanceOf(const ColorAnswer& answer, const Observer& observer) {
+    std::vector<double> values;
+    for (const double nm : listed(observer.bands())) {
+        values.push_back(valueAt(answer.solution.spectrum, observer.knots(), nm));
+    }
+    return values;
+}
+
+void printJson(const ColorAnswer& answer, const Observer& observer) {
     const SolveReport& r = answer.solution.report;
     const nlohmann::ordered_json json = {
         {"status", statusName(r.status)},
-        {"illuminant", illuminant},
+        {"illuminant", lightLabel(observer.illuminant())},
+        {"quadrature", quadratureName(observer.quadrature())},
         {"asked_xyz", {answer.asked.x, answer.asked.y, answer.asked.z}},
         {"given_xyz", {answer.given.x, answer.given.y, answer.given.z}},
         {"gauge", answer.gauge},
@@ -73,21 +90,22 @@ void printJson(const ColorAnswer& answer, const std::string& illuminant) {
         {"hits", r.hits},
         {"blended", r.blended},
         {"fell_back", r.fellBack},
-        {"first_nm", kFirstWavelength},
-        {"step_nm", kWavelengthStep},
-        {"reflectance", answer.solution.spectrum}};
+        {"first_nm", observer.bands().first},
+        {"step_nm", observer.bands().step},
+        {"reflectance", reflectanceOf(answer, observer)}};
     std::cout << json.dump(2) << '\n';
 }
 
-void printText(const ColorAnswer& answer, const std::string& illuminant) {
+void printText(const ColorAnswer& answer, const Observer& observer) {
     std::printf("nm,reflectance\n");
-    for (int band = 0; band < kBandCount; ++band) {
-        std::printf("%d,%.17g\n", wavelength(band), answer.solution.spectrum[std::size_t(band)]);
+    const std::vector<double> values = reflectanceOf(answer, observer);
+    for (std::size_t band = 0; band < values.size(); ++band) {
+        std::printf("%.9g,%.17g\n", observer.bands().at(int(band)), values[band]);
     }
     const SolveReport& r = answer.solution.report;
     std::fprintf(stderr, "%s under %s: XYZ %.6g %.6g %.6g, gauge %.9g, residual %.1e, ",
-                 statusName(r.status).data(), illuminant.c_str(), answer.asked.x, answer.asked.y,
-                 answer.asked.z, answer.gauge, r.residual);
+                 statusName(r.status).data(), lightText(observer).c_str(), answer.asked.x,
+                 answer.asked.y, answer.asked.z, answer.gauge, r.residual);
     std::fprintf(stderr, "%d iterations, %d starts, %d hits\n", r.iterations, r.starts, r.hits);
     if (r.fellBack) std::fprintf(stderr, "the method failed; the smooth one solved the colour\n");
     if (!answer.outside && answer.given != answer.asked) {
@@ -114,8 +132,7 @@ ExitCode solveCommand(const Arguments& a) {
                      answer.gauge);
         return kFailed;
     }
-    const std::string illuminant(lightLabel(upsampler.observer().illuminant()));
-    a.json ? printJson(answer, illuminant) : printText(answer, illuminant);
+    a.json ? printJson(answer, upsampler.observer()) : printText(answer, upsampler.observer());
     return kDone;
 }
 

@@ -1,7 +1,5 @@
 #include "spectrum_plot.h"
 
-#include <specbake/core/wavelengths.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,20 +43,20 @@ std::string label(double x, double y, const char* anchor, const std::string& tex
 
 /// From data to drawing.
 struct Frame {
-    double least = 0, largest = 1;  ///< of the reflectance axis
+    double first = 380, last = 780;  ///< nm
+    double least = 0, largest = 1;   ///< of the reflectance axis
 
-    double x(double nm) const {
-        constexpr double span = kWavelengthStep * (kBandCount - 1);
-        return kLeft + (nm - kFirstWavelength) / span * (kRight - kLeft);
-    }
+    double x(double nm) const { return kLeft + (nm - first) / (last - first) * (kRight - kLeft); }
     double y(double reflectance) const {
         return kBottom - (reflectance - least) / (largest - least) * (kBottom - kTop);
     }
 };
 
 /// Fifths, so that every tick of the axis is a number with one decimal.
-Frame frameOf(const std::vector<Curve>& curves) {
+Frame frameOf(const std::vector<double>& wavelengths, const std::vector<Curve>& curves) {
     Frame frame;
+    frame.first = wavelengths.front();
+    frame.last = wavelengths.back();
     for (const Curve& curve : curves) {
         for (const double value : curve.spectrum) {
             if (!std::isfinite(value)) continue;
@@ -69,13 +67,18 @@ Frame frameOf(const std::vector<Curve>& curves) {
     return frame;
 }
 
+/// Multiples of 50 nm, some ten of them at most.
+double tickStep(const Frame& frame) {
+    return 50 * std::ceil((frame.last - frame.first) / 500);
+}
+
 std::string axes(const Frame& frame) {
     std::string svg;
-    for (int nm = 400; nm <= 750; nm += 50) {
+    for (double nm = std::ceil(frame.first / 50) * 50; nm <= frame.last; nm += tickStep(frame)) {
         const double x = frame.x(nm);
         svg +=
             fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>\n", x, kTop, kBottom);
-        svg += label(x, kBottom + 20, "middle", std::to_string(nm));
+        svg += label(x, kBottom + 20, "middle", fmt::format("{:g}", nm));
     }
     const int ticks = std::min(int(std::lround((frame.largest - frame.least) * 5)), 20);
     for (int i = 0; i <= ticks; ++i) {
@@ -94,20 +97,22 @@ std::string axes(const Frame& frame) {
     return svg + "reflectance</text>\n";
 }
 
-std::string polyline(const Frame& frame, const Curve& curve, const char* stroke) {
+std::string polyline(const Frame& frame, const std::vector<double>& wavelengths, const Curve& curve,
+                     const char* stroke) {
     std::string svg = fmt::format("<polyline class=\"curve\" stroke=\"{}\" points=\"", stroke);
-    for (int band = 0; band < kBandCount; ++band) {
-        const double value = curve.spectrum[std::size_t(band)];
+    for (std::size_t band = 0; band < wavelengths.size(); ++band) {
+        const double value = curve.spectrum[band];
         if (!std::isfinite(value)) continue;
-        svg += fmt::format("{:.1f},{:.1f} ", frame.x(wavelength(band)), frame.y(value));
+        svg += fmt::format("{:.1f},{:.1f} ", frame.x(wavelengths[band]), frame.y(value));
     }
     return svg + "\"/>\n";
 }
 
 }  // namespace
 
-std::string spectrumPlot(const std::string& title, const std::vector<Curve>& curves) {
-    const Frame frame = frameOf(curves);
+std::string spectrumPlot(const std::string& title, const std::vector<double>& wavelengths,
+                         const std::vector<Curve>& curves) {
+    const Frame frame = frameOf(wavelengths, curves);
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\" "
         "height=\"{}\">\n",
@@ -118,7 +123,7 @@ std::string spectrumPlot(const std::string& title, const std::vector<Curve>& cur
     svg += axes(frame);
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const char* stroke = kStrokes[i % kStrokes.size()];
-        svg += polyline(frame, curves[i], stroke);
+        svg += polyline(frame, wavelengths, curves[i], stroke);
         const double y = kTop + 12 + 22 * double(i);
         svg += fmt::format("<path class=\"curve\" stroke=\"{}\" d=\"M{:.1f} {:.1f}h22\"/>\n",
                            stroke, kRight + 14, y - 4.5);

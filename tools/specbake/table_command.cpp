@@ -35,6 +35,14 @@ void print(const char* where, const TableErrors& errors) {
                 errors.p99, errors.max);
 }
 
+void print(Quadrature quadrature, const TableErrors& everywhere, const TableErrors& atBoundary) {
+    std::printf("CIEDE2000 from the colour asked for, by the %s:\n",
+                quadrature == Quadrature::bands ? "sum over the bands, 380 to 780 nm every 5 nm"
+                                                : "integral from 360 to 830 nm every 1 nm");
+    print("all colours", everywhere);
+    if (atBoundary.colors > 0) print("at the boundary", atBoundary);
+}
+
 ExitCode tableCommand(const Arguments& a) {
     const ColorSpace space = wishedSpace(*findColorSpace("srgb"), a.color.wishes());
     std::vector<std::string> notes;
@@ -46,9 +54,14 @@ ExitCode tableCommand(const Arguments& a) {
     write(a.output, table.bytes);
     std::printf("%s: %d nodes an axis, %.2f MB\n", a.output.c_str(), a.grid,
                 double(table.bytes.size()) / 1e6);
-    std::printf("CIEDE2000 between the colour asked for and that of the 81 bands:\n");
-    print("all colours", table.everywhere);
-    if (table.atBoundary.colors > 0) print("at the boundary", table.atBoundary);
+    const bool isFine = table.quadrature == Quadrature::fine;
+    const SpectralTableFile& t = table;
+    print(Quadrature::bands, isFine ? t.everywhereOtherwise : t.everywhere,
+          isFine ? t.atBoundaryOtherwise : t.atBoundary);
+    print(Quadrature::fine, isFine ? t.everywhere : t.everywhereOtherwise,
+          isFine ? t.atBoundary : t.atBoundaryOtherwise);
+    std::printf("  The table is made for the %s.\n",
+                isFine ? "second of these" : "first of these; --quadrature fine: for the second");
     std::printf(
         "  %.1f %% of the cube are colours that a reflectance can have; %.1f %% lie in "
         "cells that their boundary cuts\n",

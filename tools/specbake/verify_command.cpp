@@ -30,6 +30,7 @@ struct Arguments {
     ColorArguments color;
     std::optional<std::string> adapt;
     VerifyOptions options;
+    std::optional<std::string> quadrature;
     std::optional<double> maxDE;
     double maxBand = 0.001;
     bool independent = true;
@@ -41,6 +42,7 @@ Json jsonOf(const Verification& v) {
     return {
         {"texels", v.texels},
         {"illuminant", v.illuminant},
+        {"quadrature", quadratureName(v.quadrature)},
         {"de2000", {{"mean", v.meanDE2000}, {"p99", v.p99DE2000}, {"max", v.maxDE2000}}},
         {"xyz_max_abs", v.maxXYZDifference},
         {"beyond_rounding", v.beyondRounding},
@@ -72,10 +74,12 @@ std::string upTo(double difference) {
 
 void printText(const Arguments& a, const Verification& v) {
     std::printf(
-        "%s: %zu texels under %s: CIEDE2000 mean %.4f, p99 %.4f, max %.4f at (%zu, %zu); "
+        "%s: %zu texels under %s%s: CIEDE2000 mean %.4f, p99 %.4f, max %.4f at (%zu, %zu); "
         "largest |dXYZ| %.2e; %zu samples outside [0, 1]; %zu colours outside the solid\n",
-        a.spectral.c_str(), v.texels, v.illuminant.c_str(), v.meanDE2000, v.p99DE2000, v.maxDE2000,
-        v.worstX, v.worstY, v.maxXYZDifference, v.outOfRange, v.outsideSolid);
+        a.spectral.c_str(), v.texels, v.illuminant.c_str(),
+        v.quadrature == Quadrature::fine ? ", integrated every 1 nm" : "", v.meanDE2000,
+        v.p99DE2000, v.maxDE2000, v.worstX, v.worstY, v.maxXYZDifference, v.outOfRange,
+        v.outsideSolid);
     complain(a, v.notFinite, "have a number that is not finite, here or in " + a.texture);
     complain(a, v.beyondRounding,
              "differ by more than the rounding of the samples: from another texture, or under "
@@ -90,7 +94,7 @@ void printText(const Arguments& a, const Verification& v) {
 void printText(const Arguments& a, const SpectralDifference& d) {
     std::printf("%s: %zu texels beside %s: bands differ by %.2e RMS, %.2e at most",
                 a.spectral.c_str(), d.texels, a.reference.c_str(), d.rms, d.largest);
-    if (d.largest > 0) std::printf(", at (%zu, %zu), %d nm", d.worstX, d.worstY, d.worstBand);
+    if (d.largest > 0) std::printf(", at (%zu, %zu), %g nm", d.worstX, d.worstY, d.worstBand);
     std::printf("\n");
     complain(a, d.notFinite, "have a number that is not finite, here or in " + a.reference);
 }
@@ -122,6 +126,7 @@ Verification verified(const Arguments& a) {
     options.read = a.read.options();
     options.color = a.color.wishes();
     if (a.adapt) options.adapt = adaptationFromName(*a.adapt);
+    options.quadrature = quadratureOf(a.quadrature);
     if (a.report.empty()) return verify(a.spectral, a.texture, options);
     ReportOptions page;
     page.verify = options;
@@ -190,6 +195,7 @@ Command addVerify(CLI::App& program) {
     command->add_flag("--independent,!--no-independent", a->independent,
                       "read the texture by OpenImageIO too, where the bake reads it by a reader of "
                       "its own, and exit 3 if they differ; the default");
+    addReaderQuadrature(*command, a->quadrature);
     addThreads(*command, a->options.threads);
     command->add_flag("--json", a->json, "print the figures as JSON");
     command->add_flag("-q,--quiet", a->quiet, "print nothing: the exit code tells");

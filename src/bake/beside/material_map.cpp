@@ -59,7 +59,7 @@ void MaterialMap::change(std::span<const Upsampler::Color> colors,
         const auto holds = [j](const std::array<float, 3>& shares) { return shares[j] > 0; };
         if (std::ranges::any_of(buffers.shares, holds)) addShare(j, colors, samples, buffers);
     }
-    const auto bands = samples.last(std::size_t(kBandCount) * colors.size());
+    const auto bands = samples.subspan(kPreviewSamples * colors.size());
     for (float& sample : bands) sample = std::clamp(sample, 0.0F, 1.0F);  // what rounding adds
 }
 
@@ -70,8 +70,9 @@ void MaterialMap::addShare(std::size_t material, std::span<const Upsampler::Colo
         SampleType::float32, std::as_writable_bytes(std::span(buffers.samples)).data(),
         colors.size() * sizeof(float));
     // Colours without a spectrum are those of the model without a material, and counted there.
-    (void)upsamplers_[material].sample(colors, SampleSelection::channels(), target,
-                                       buffers.upsampling);
+    const Upsampler& upsampler = upsamplers_[material];
+    (void)upsampler.sample(colors, SampleSelection::channels(upsampler.options().bands), target,
+                           buffers.upsampling);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const float share = buffers.shares[i % colors.size()][material];
         samples[i] += share * (buffers.samples[i] - buffers.without[i]);

@@ -21,14 +21,14 @@ constexpr int kMost = BakeOptions::kMostMantissaBits;
 /// The largest difference by bits of mantissa.
 using Differences = std::array<double, kMost + 1>;
 /// One texel's bands.
-using Bands = std::span<const float, kBandCount>;
+using Bands = std::span<const float>;
 
 Lab labOf(const Observer& observer, const Spectrum& spectrum) {
     return labFromXYZ(observer.color(spectrum), observer.white());
 }
 
 Spectrum unrounded(Bands bands) {
-    Spectrum spectrum;
+    Spectrum spectrum{};
     std::copy(bands.begin(), bands.end(), spectrum.begin());
     return spectrum;
 }
@@ -36,8 +36,8 @@ Spectrum unrounded(Bands bands) {
 Spectrum rounded(Bands bands, int bits) {
     std::array<Imath::half, kBandCount> halves;
     storeRounded(bands, bits, std::as_writable_bytes(std::span(halves)).data());
-    Spectrum spectrum;
-    std::copy(halves.begin(), halves.end(), spectrum.begin());
+    Spectrum spectrum{};
+    std::copy_n(halves.begin(), bands.size(), spectrum.begin());
     return spectrum;
 }
 
@@ -50,8 +50,8 @@ void compare(const Observer& observer, Bands bands, Differences& largest) {
 }
 
 Differences differencesOf(const Upsampler& upsampler, std::span<const TexelColor> colors) {
-    const SampleSelection wanted = SampleSelection::bands();
-    std::vector<float> samples(colors.size() * kBandCount);
+    const SampleSelection wanted = SampleSelection::bands(upsampler.observer().knots());
+    std::vector<float> samples(colors.size() * wanted.count());
     const auto target = SampleTarget::interleaved(
         SampleType::float32, reinterpret_cast<std::byte*>(samples.data()), wanted);
     Upsampler::Workspace workspace;
@@ -59,7 +59,8 @@ Differences differencesOf(const Upsampler& upsampler, std::span<const TexelColor
     static_cast<void>(upsampler.sample(colors, wanted, target, workspace));
     Differences largest{};
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        compare(upsampler.observer(), Bands(samples.data() + i * kBandCount, kBandCount), largest);
+        const Bands bands = Bands(samples).subspan(i * wanted.count(), wanted.count());
+        compare(upsampler.observer(), bands, largest);
     }
     return largest;
 }

@@ -27,7 +27,7 @@ constexpr int kFinestShared = 33;  ///< whose nodes, 14 MB at most, are kept for
 using Bands = std::vector<float>;
 
 Bands bandsOf(const Upsampler& upsampler, std::span<const TexelColor> colors) {
-    const SampleSelection bands = SampleSelection::bands();
+    const SampleSelection bands = SampleSelection::bands(upsampler.observer().knots());
     Bands samples(colors.size() * bands.count());
     const auto target = SampleTarget::interleaved(
         SampleType::float32, reinterpret_cast<std::byte*>(samples.data()), bands);
@@ -109,12 +109,15 @@ class GridTrial {
         Bands solved = run < kKeptRuns ? std::move(solved_[run]) : Bands();
         if (solved.empty()) solved = bandsOf(direct_, colors);
         const Bands looked = bandsOf(coarse, colors);
+        const auto count = std::size_t(direct_.observer().knots().count);
         Deviation found;
         for (std::size_t i = 0; i < colors.size(); ++i) {
             const auto bands = [&](const Bands& all) {
-                return std::span(all).subspan(i * kBandCount, kBandCount);
+                return std::span(all).subspan(i * count, count);
             };
-            const double squares = squaredDifference(bands(looked), bands(solved));
+            // As of kBandCount bands, however many there are.
+            const double squares =
+                squaredDifference(bands(looked), bands(solved)) * (kBandCount / double(count));
             found.add({squares * double(counts[i].texels), squares, counts[i].texels});
         }
         if (run < kKeptRuns) solved_[run] = std::move(solved);

@@ -27,6 +27,9 @@ const BakeOptions& checked(const BakeOptions& options) {
     if (options.materialMap || options.second) {
         throw ArgumentError("an image on demand takes no images beside its texture");
     }
+    if (options.model.bands != Wavelengths()) {
+        throw ArgumentError("an image on demand has the usual bands, 380 to 780 nm every 5 nm");
+    }
     return options;
 }
 

@@ -37,11 +37,11 @@ unsigned folded(unsigned code, unsigned before) {
 void addBands(const SampledTexels& texels, const PackedTexels& interval, Bytes& bytes) {
     const std::size_t count = texels.blocks.count();
     std::vector<unsigned> before(count);
-    for (std::size_t band = 0; band < kBandCount; ++band) {
+    for (std::size_t band = 0; band < texels.bandCount; ++band) {
         const std::size_t first = bytes.size();
         bytes.resize(first + 2 * count);
         for (std::size_t t = 0; t < count; ++t) {
-            const unsigned code = codeOf(texels.bands[t * kBandCount + band], interval);
+            const unsigned code = codeOf(texels.bands[t * texels.bandCount + band], interval);
             const unsigned difference = folded(code, before[t]);
             bytes[first + t] = std::uint8_t(difference >> 8);
             bytes[first + count + t] = std::uint8_t(difference & 255);

@@ -1,6 +1,6 @@
 #include "report/page_data.h"
 
-#include "lit_bands.h"
+#include "reading.h"
 #include "report/packed_texels.h"
 
 #include <specbake/core/observer.h>
@@ -25,16 +25,11 @@ double shortened(double value) {
     return std::isfinite(value) ? std::stod(fmt::format("{:.7g}", value)) : 0.0;
 }
 
-/// The usual lamps, and the light of the bake if it is none of them.
-Json lamps(const std::string& light) {
-    std::vector<std::string> names = illuminantNames();
-    if (std::find(names.begin(), names.end(), light) == names.end()) names.push_back(light);
+Json lampsOf(const ReportColors& colors) {
     Json all = Json::array();
-    for (const std::string& name : names) {
-        RelightOptions options;
-        options.illuminant = name;
+    for (const auto& [name, lit] : colors.lamps) {
         Json bands = Json::array();
-        for (const Imath::V3f& band : litBands(options)) {
+        for (const Imath::V3f& band : lit) {
             for (int i = 0; i < 3; ++i) bands.push_back(shortened(double(band[i])));
         }
         all.push_back({{"name", std::string(lightLabel(name))}, {"bands", bands}});
@@ -92,12 +87,6 @@ Json histogramOf(const DifferenceHistogram& histogram) {
             {"counts", histogram.counts}};
 }
 
-Json wavelengths() {
-    Json all = Json::array();
-    for (int band = 0; band < kBandCount; ++band) all.push_back(wavelength(band));
-    return all;
-}
-
 /// "<" would let a name end the script that the data stand in.
 std::string withoutTags(std::string json) {
     for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6) {
@@ -108,10 +97,21 @@ std::string withoutTags(std::string json) {
 
 }  // namespace
 
-ReportColors::ReportColors(const Upsampler& model)
+ReportColors::ReportColors(const Upsampler& model, const std::string& path,
+                           const SpectralReader& reader)
     : space(model.space().name),
       light(model.observer().illuminant()),
-      weights(model.observer().weights().begin(), model.observer().weights().end()) {
+      wavelengths(reader.wavelengths()),
+      weights(readerWeights(path, reader, light, model.observer().quadrature())) {
+    // The usual lamps, and the light of the bake if it is none of them.
+    std::vector<std::string> names = illuminantNames();
+    if (std::find(names.begin(), names.end(), light) == names.end()) names.push_back(light);
+    for (const std::string& name : names) {
+        RelightOptions options;
+        options.illuminant = name;
+        options.quadrature = model.observer().quadrature();
+        lamps.emplace_back(name, litBands(path, reader, options));
+    }
     if (model.space().isXYZ()) return;
     triangle = {chromaticity(model.xyz(RGB(1, 0, 0))), chromaticity(model.xyz(RGB(0, 1, 0))),
                 chromaticity(model.xyz(RGB(0, 0, 1)))};
@@ -129,13 +129,13 @@ std::string pageData(const PageContent& content) {
                        {"columns", blocks.columns},
                        {"rows", blocks.rows},
                        {"step", blocks.step},
-                       {"wavelengths", wavelengths()},
+                       {"wavelengths", content.colors.wavelengths},
                        {"space", content.colors.space},
                        {"light", std::string(lightLabel(content.colors.light))},
                        {"weights", weightsOf(content.colors)},
                        {"locus", locusOf(content.colors)},
                        {"triangle", triangleOf(content.colors)},
-                       {"lamps", lamps(content.colors.light)},
+                       {"lamps", lampsOf(content.colors)},
                        {"verified", verified(content.verified)},
                        {"histogram", histogramOf(content.texels.histogram)},
                        {"facts", content.facts},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lit_bands.h"
 #include "report/sampled_texels.h"
 
 #include <specbake/bake/report.h>
@@ -18,10 +19,13 @@ namespace specbake::internal {
 struct ReportColors {
     std::string space;
     std::string light;
-    std::vector<Imath::V3d> weights;                      ///< w_m of (1)
+    std::vector<double> wavelengths;                      ///< of the bands, nm
+    std::vector<Imath::V3d> weights;                      ///< w_m, of the file's bands
+    std::vector<std::pair<std::string, LitBands>> lamps;  ///< by name
     std::optional<std::array<Chromaticity, 3>> triangle;  ///< of the space; none for XYZ
 
-    explicit ReportColors(const Upsampler& model);
+    /// `path` and `reader`: the spectral file.
+    ReportColors(const Upsampler& model, const std::string& path, const SpectralReader& reader);
 };
 
 /// All that a page shows.

@@ -55,11 +55,12 @@ Verification writeReport(const std::string& spectral, const std::string& texture
     }
     const SpectralReader reader(spectral);
     const Window window = reader.header().data;
-    SampledTexels texels(Blocks(window.width, window.height, options.side));
+    SampledTexels texels(Blocks(window.width, window.height, options.side),
+                         reader.wavelengths().size());
     std::optional<ReportColors> colors;
     const Verification verified = verifyObserved(
         spectral, texture, options.verify, [&](const ComparedRows& rows, const Upsampler& model) {
-            if (!colors) colors.emplace(model);
+            if (!colors) colors.emplace(model, spectral, reader);
             texels.take(rows);
         });
     PageContent content{fileName(spectral), fileName(texture), window, texels, *colors,

@@ -21,9 +21,10 @@ void DifferenceHistogram::add(double difference) {
     ++counts[std::size_t(std::clamp(std::floor(place), 0.0, double(counts.size() - 1)))];
 }
 
-SampledTexels::SampledTexels(const Blocks& imageBlocks)
+SampledTexels::SampledTexels(const Blocks& imageBlocks, std::size_t bandsOfTexel)
     : blocks(imageBlocks),
-      bands(imageBlocks.count() * kBandCount),
+      bandCount(bandsOfTexel),
+      bands(imageBlocks.count() * bandsOfTexel),
       differences(imageBlocks.count()),
       marks(imageBlocks.count()) {}
 
@@ -42,7 +43,7 @@ void SampledTexels::take(const ComparedRows& rows) {
             const std::size_t block =
                 std::size_t(blockRow) * std::size_t(blocks.columns) + std::size_t(column);
             const std::size_t texel = first + std::size_t(blocks.middle(column, blocks.width));
-            std::copy_n(&rows.bands[texel * kBandCount], kBandCount, &bands[block * kBandCount]);
+            std::copy_n(&rows.bands[texel * bandCount], bandCount, &bands[block * bandCount]);
         }
     }
 }

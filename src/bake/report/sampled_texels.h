@@ -35,7 +35,8 @@ struct DifferenceHistogram {
 /// What a report keeps of the rows that verify() compares.
 class SampledTexels {
   public:
-    explicit SampledTexels(const Blocks& blocks);
+    /// `bandsOfTexel`: how many.
+    SampledTexels(const Blocks& blocks, std::size_t bandsOfTexel);
 
     /// Rows in order.
     void take(const ComparedRows& rows);
@@ -43,7 +44,8 @@ class SampledTexels {
     enum Mark : std::uint8_t { kOutside = 1, kNotFinite = 2 };
 
     Blocks blocks;
-    std::vector<float> bands;         ///< of the texels that stand for the blocks, kBandCount each
+    std::size_t bandCount;            ///< of a texel
+    std::vector<float> bands;         ///< of the texels that stand for the blocks
     std::vector<float> differences;   ///< the largest CIEDE2000 in each block
     std::vector<std::uint8_t> marks;  ///< what any texel of the block is
     DifferenceHistogram histogram;    ///< of all texels

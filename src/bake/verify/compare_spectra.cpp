@@ -46,21 +46,21 @@ struct Rows {
 };
 
 /// Differences of one texel, counted as texel `index` of its rows.
-void compareTexel(std::span<const float> a, std::span<const float> b, std::size_t index,
-                  Rows& rows) {
+void compareTexel(std::span<const float> a, std::span<const float> b,
+                  std::span<const double> wavelengths, std::size_t index, Rows& rows) {
     ++rows.found.texels;
     const auto finite = [](float v) { return std::isfinite(v); };
     if (!std::all_of(a.begin(), a.end(), finite) || !std::all_of(b.begin(), b.end(), finite)) {
         ++rows.found.notFinite;
         return;
     }
-    for (std::size_t band = 0; band < kBandCount; ++band) {
+    for (std::size_t band = 0; band < wavelengths.size(); ++band) {
         const double off = std::abs(double(a[band]) - double(b[band]));
         rows.squares += off * off;
         if (off <= rows.found.largest) continue;
         rows.found.largest = off;
         rows.worstTexel = index;
-        rows.found.worstBand = wavelength(int(band));
+        rows.found.worstBand = wavelengths[band];
     }
 }
 
@@ -77,7 +77,7 @@ class SpectraComparison {
         runPipeline(
             count, {[&](int i) { read(i); }, [&](int i) { compare(i); }, [&](int i) { gather(i); }},
             threads, {});
-        const double samples = double(total_.texels - total_.notFinite) * kBandCount;
+        const double samples = double(total_.texels - total_.notFinite) * double(bandCount());
         if (samples > 0) total_.rms = std::sqrt(squares_ / samples);
         return total_;
     }
@@ -85,13 +85,14 @@ class SpectraComparison {
   private:
     static constexpr int kRows = 16;
 
+    std::size_t bandCount() const { return a_.wavelengths().size(); }
     std::size_t width() const { return std::size_t(a_.header().data.width); }
     int height() const { return a_.header().data.height; }
 
     void read(int i) {
         Rows& rows = rows_[std::size_t(i)];
         const int count = std::min(kRows, height() - i * kRows);
-        rows.a.resize(std::size_t(count) * width() * kBandCount);
+        rows.a.resize(std::size_t(count) * width() * bandCount());
         rows.b.resize(rows.a.size());
         a_.readRows(i * kRows, count, rows.a);
         b_.readRows(i * kRows, count, rows.b);
@@ -99,11 +100,11 @@ class SpectraComparison {
 
     void compare(int i) {
         Rows& rows = rows_[std::size_t(i)];
-        for (std::size_t t = 0; t * kBandCount < rows.a.size(); ++t) {
+        for (std::size_t t = 0; t * bandCount() < rows.a.size(); ++t) {
             const auto bandsOf = [&](const std::vector<float>& samples) {
-                return std::span(samples).subspan(t * kBandCount, kBandCount);
+                return std::span(samples).subspan(t * bandCount(), bandCount());
             };
-            compareTexel(bandsOf(rows.a), bandsOf(rows.b), t, rows);
+            compareTexel(bandsOf(rows.a), bandsOf(rows.b), a_.wavelengths(), t, rows);
         }
         rows.a = {};
         rows.b = {};

@@ -15,7 +15,7 @@ namespace specbake::internal {
 struct ComparedRows {
     int first = 0;  ///< counted from 0 in the data window
     int count = 0;
-    std::span<const float> bands;  ///< kBandCount a texel
+    std::span<const float> bands;  ///< of each texel all that the file has
     std::span<const TexelDifference> texels;
 };
 

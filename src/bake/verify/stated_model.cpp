@@ -1,5 +1,7 @@
 #include "verify/stated_model.h"
 
+#include "reading.h"
+
 #include <specbake/bake/bake.h>
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
@@ -55,9 +57,13 @@ UpsamplerOptions statedModel(const std::string& path, const SpectralReader& spec
         refuseUnless(known.has_value(), "specbake:outside", *rule);
         model.outside = *known;
     }
+    const Quadrature quadrature = statedQuadrature(path, spectral);
     if (const auto observer = spectral.text("specbake:observer")) {
-        refuseUnless(*observer == Observer("E").name(), "specbake:observer", *observer);
+        const bool known = *observer == Observer("E", quadrature, Wavelengths()).name();
+        refuseUnless(known, "specbake:observer", *observer);
     }
+    model.quadrature = options.quadrature.value_or(quadrature);
+    if (model.quadrature == Quadrature::fine) model.bands = modelBands(spectral);
     return model;
 }
 

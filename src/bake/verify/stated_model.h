@@ -15,9 +15,9 @@ namespace specbake::internal {
 ColorMeaning statedMeaning(const SpectralReader& spectral, const TextureInfo& texture,
                            const VerifyOptions& options);
 
-/// The light and the rule for colours outside by which the file was made. No colour is solved.
-/// Throws FileError for a light, an observer or a rule of the file that is not known, ArgumentError
-/// for a light of the options.
+/// The light, the quadrature, the bands and the rule for colours outside by which the file was
+/// made. No colour is solved. Throws FileError for a light, an observer, a quadrature or a rule of
+/// the file that is not known, ArgumentError for a light of the options.
 UpsamplerOptions statedModel(const std::string& path, const SpectralReader& spectral,
                              const VerifyOptions& options);
 

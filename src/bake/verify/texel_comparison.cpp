@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace specbake::internal {
 namespace {
@@ -15,32 +16,31 @@ bool areFinite(std::span<const float> values) {
 
 }  // namespace
 
-TexelComparison::TexelComparison(const Upsampler& model, const SampleRounding& rounding)
-    : model_(model), rounding_(rounding) {
-    const Observer daylight("D65");
-    const Imath::M33d rgbFromXYZ =
-        xyzFromRGB(*findColorSpace("lin_rec709"), daylight.white()).inverse();
-    for (std::size_t m = 0; m < kBandCount; ++m) {
-        previewOfBand_[m] = daylight.weights()[m] * rgbFromXYZ;
-    }
+TexelComparison::TexelComparison(const Upsampler& model, BandWeights weights,
+                                 const SampleRounding& rounding)
+    : model_(model), rounding_(rounding), weights_(std::move(weights.lit)) {
+    XYZ daylight;
+    for (const Imath::V3d& w : weights.daylit) daylight += w;
+    const Imath::M33d rgbFromXYZ = xyzFromRGB(*findColorSpace("lin_rec709"), daylight).inverse();
+    for (const Imath::V3d& w : weights.daylit) previewOfBand_.push_back(w * rgbFromXYZ);
 }
 
 TexelDifference TexelComparison::compare(const std::array<float, 3>& color,
-                                         std::span<const float, kBandCount> bands) const {
+                                         std::span<const float> bands) const {
     TexelDifference found;
     const Observer& observer = model_.observer();
-    Spectrum spectrum;
-    Imath::V3d allowed(kArithmetic);
-    for (std::size_t m = 0; m < kBandCount; ++m) {
-        spectrum[m] = double(bands[m]);
+    Imath::V3d allowed(kArithmetic), sum(0.0);
+    for (std::size_t m = 0; m < bands.size(); ++m) {
+        const double value = double(bands[m]);
         if (!(bands[m] >= 0 && bands[m] <= 1)) ++found.outOfRange;
-        allowed += observer.weights()[m] * rounding_.of(spectrum[m]);
+        sum += weights_[m] * value;
+        allowed += weights_[m] * rounding_.of(value);
     }
     found.finite = areFinite(color) && areFinite(bands);
     if (!found.finite) return found;
     const RGB rgb{double(color[0]), double(color[1]), double(color[2])};
     const Attainable asked = model_.attainable(model_.xyz(rgb));
-    const XYZ given = observer.color(spectrum);
+    const XYZ given(sum);
     const Imath::V3d difference = given - asked.color;
     found.outside = asked.outside;
     found.de2000 =
@@ -53,10 +53,10 @@ TexelDifference TexelComparison::compare(const std::array<float, 3>& color,
 }
 
 SampleDifference TexelComparison::comparePreview(std::span<const float, 3> preview,
-                                                 std::span<const float, kBandCount> bands) const {
+                                                 std::span<const float> bands) const {
     Imath::V3d expected(0.0);
     Imath::V3d allowed(kArithmetic);
-    for (std::size_t m = 0; m < kBandCount; ++m) {
+    for (std::size_t m = 0; m < bands.size(); ++m) {
         const double band = double(bands[m]);
         expected += band * previewOfBand_[m];
         for (int i = 0; i < 3; ++i) {

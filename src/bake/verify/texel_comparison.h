@@ -6,6 +6,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace specbake::internal {
 
@@ -28,21 +29,25 @@ struct SampleDifference {
 /// Compares texels. Immutable: any number of threads may share it.
 class TexelComparison {
   public:
+    /// What each band of the file gives to the reader: under the model's light, and under D65.
+    struct BandWeights {
+        std::vector<Imath::V3d> lit, daylit;
+    };
+
     /// `model` must outlive it. `rounding` is that of the bands and of the preview.
-    TexelComparison(const Upsampler& model, const SampleRounding& rounding);
+    TexelComparison(const Upsampler& model, BandWeights weights, const SampleRounding& rounding);
 
     /// Beside the colour that the file had to give: that of the texel, or what the file's rule
     /// for colours outside the solid makes of it.
     ///
     /// As (1) is linear, bands that are off by r_m at most have a colour that is off by Σ w_m r_m
     /// at most; to which kArithmetic is added.
-    TexelDifference compare(const std::array<float, 3>& color,
-                            std::span<const float, kBandCount> bands) const;
+    TexelDifference compare(const std::array<float, 3>& color, std::span<const float> bands) const;
 
     /// The preview R, G, B beside that of the bands (docs/file-format.md). With c_m what band m
     /// gives to it, a value p' may be off by its own rounding and by Σ |c_m| r_m.
     SampleDifference comparePreview(std::span<const float, 3> preview,
-                                    std::span<const float, kBandCount> bands) const;
+                                    std::span<const float> bands) const;
 
     /// What single-precision arithmetic may cost between a texel and its samples: the dozen of
     /// roundings of a blend of four nodes, weights among them, of values that are at most 2.
@@ -51,7 +56,8 @@ class TexelComparison {
   private:
     const Upsampler& model_;
     SampleRounding rounding_;
-    std::array<Imath::V3d, kBandCount> previewOfBand_;  ///< c_m: linear Rec.709 under D65
+    std::vector<Imath::V3d> weights_;        ///< w_m
+    std::vector<Imath::V3d> previewOfBand_;  ///< c_m: linear Rec.709 under D65
 };
 
 }  // namespace specbake::internal

@@ -1,4 +1,5 @@
 #include "pipeline.h"
+#include "reading.h"
 #include "verify/largest_values.h"
 #include "verify/observed.h"
 #include "verify/stated_model.h"
@@ -43,7 +44,7 @@ class Comparison {
           meaning_(statedMeaning(spectral_, texture_.info(), options)),
           model_(meaning_.space, statedModel(spectral, spectral_, options)),
           decoder_(texture_.info(), meaning_),
-          texel_(model_, statedRounding(spectral_)),
+          texel_(model_, weightsOf(spectral), statedRounding(spectral_)),
           alphaRounding_(roundingOf(spectral_.storedType(), 10)),
           largest_(descendingRankOfP99(width() * std::size_t(height()))) {
         const Window& window = spectral_.header().data;
@@ -51,6 +52,7 @@ class Comparison {
             throw FileError(spectral, "not of the size of " + texture);
         }
         total_.illuminant = lightLabel(model_.observer().illuminant());
+        total_.quadrature = model_.observer().quadrature();
     }
 
     Verification run(int threads) {
@@ -69,6 +71,15 @@ class Comparison {
   private:
     static constexpr int kRows = 16;
 
+    TexelComparison::BandWeights weightsOf(const std::string& path) const {
+        const Observer& observer = model_.observer();
+        const auto under = [&](std::string_view light) {
+            return readerWeights(path, spectral_, light, observer.quadrature());
+        };
+        return {under(observer.illuminant()), under("D65")};
+    }
+
+    std::size_t bandCount() const { return spectral_.wavelengths().size(); }
     std::size_t width() const { return std::size_t(texture_.info().data.width); }
     int height() const { return texture_.info().data.height; }
     int rowCount(int i) const { return std::min(kRows, height() - i * kRows); }
@@ -76,7 +87,7 @@ class Comparison {
     void read(int i) {
         Rows& rows = rows_[std::size_t(i)];
         const std::size_t texels = std::size_t(rowCount(i)) * width();
-        rows.bands.resize(texels * kBandCount);
+        rows.bands.resize(texels * bandCount());
         rows.alpha.resize(texels, 1.0F);
         rows.preview.resize(spectral_.hasPreview() ? texels * kPreviewSamples : 0);
         spectral_.readRows(i * kRows, rowCount(i), rows.bands, rows.alpha, rows.preview);
@@ -91,7 +102,7 @@ class Comparison {
         std::vector<float> alpha(texels, 1.0F);
         decoder_.decode(rows.texture, texels, colors.data(), alpha.data());
         for (std::size_t t = 0; t < texels; ++t) {
-            const std::span<const float, kBandCount> bands(&rows.bands[t * kBandCount], kBandCount);
+            const std::span<const float> bands(&rows.bands[t * bandCount()], bandCount());
             rows.texels.push_back(texel_.compare(colors[t], bands));
             rows.alphas.push_back(compareAlpha(alpha[t], rows.alpha[t]));
             if (rows.preview.empty()) continue;

@@ -20,6 +20,7 @@ namespace {
 /// A spectral image in memory.
 struct SpectralImage {
     py::array spectra;
+    py::array wavelengths;
     py::object alpha = py::none();
     py::object preview = py::none();
     Window data, display;
@@ -61,7 +62,9 @@ SpectralImage readSpectral(const std::filesystem::path& path,
     const py::ssize_t rows = end - first;
     const py::ssize_t width = header.data.width;
     SpectralImage image;
-    image.spectra = py::array_t<float>({rows, width, py::ssize_t(kBandCount)});
+    image.spectra = py::array_t<float>({rows, width, py::ssize_t(reader.wavelengths().size())});
+    image.wavelengths =
+        py::array_t<double>(py::ssize_t(reader.wavelengths().size()), reader.wavelengths().data());
     if (header.alpha) image.alpha = py::array_t<float>({rows, width});
     if (reader.hasPreview()) image.preview = py::array_t<float>({rows, width, py::ssize_t(3)});
     image.data = header.data;
@@ -77,12 +80,13 @@ SpectralImage readSpectral(const std::filesystem::path& path,
     runInterruptibly([&, from = first, to = end](const Watch& watch) {
         constexpr int atATime = 64;
         const auto side = std::size_t(width);
+        const std::size_t bands = reader.wavelengths().size();
         for (int row = from; row < to; row += atATime) {
             if (watch.stop.stop_requested()) throw Cancelled();
             const int count = std::min(atATime, to - row);
             const std::size_t texels = side * std::size_t(count);
             const std::size_t before = side * std::size_t(row - from);
-            reader.readRows(row, count, samples.subspan(before * kBandCount, texels * kBandCount),
+            reader.readRows(row, count, samples.subspan(before * bands, texels * bands),
                             alpha.empty() ? alpha : alpha.subspan(before, texels),
                             preview.empty() ? preview : preview.subspan(before * 3, texels * 3));
         }
@@ -104,7 +108,9 @@ void addSpectralImage(py::module_& module) {
     using I = SpectralImage;
     py::class_<I>(module, "SpectralImage", "A spectral image, read by read_spectral().")
         .def_readonly("spectra", &I::spectra,
-                      "(height, width, 81) float32: reflectances at WAVELENGTHS.")
+                      "(height, width, N) float32: reflectances at `wavelengths`.")
+        .def_readonly("wavelengths", &I::wavelengths,
+                      "(N,) float64: nm, ascending; WAVELENGTHS unless the file has other bands.")
         .def_readonly("alpha", &I::alpha, "(height, width) float32, or None.")
         .def_readonly("preview", &I::preview,
                       "(height, width, 3) float32: linear sRGB under D65, or None.")
@@ -125,9 +131,10 @@ void addSpectralImage(py::module_& module) {
         });
     module.def("read_spectral", &readSpectral, py::arg("path"), py::kw_only(),
                py::arg("rows") = py::none(), R"(
-Reads a spectral EXR of 81 reflectance bands, 380 to 780 nm every 5 nm: a SpectralImage.
+Reads a spectral EXR of reflectance bands, whatever their wavelengths: a SpectralImage.
 
-rows: (first, end), counted from 0 at the data window's top; None: all. A texel takes 324 bytes.
+rows: (first, end), counted from 0 at the data window's top; None: all. A texel takes 4 bytes a
+band, 324 for 81 bands.
 Raises FileError, ArgumentError. The GIL is released.)");
 }
 

@@ -26,9 +26,9 @@ bool hasWhiteOf(const Primaries& primaries, const Observer& illuminant) {
            std::abs(white.y - primaries.white.y) < tolerance;
 }
 
-/// The space's white, as the illuminant has it where there is one.
-XYZ whiteOf(const ColorSpace& space) {
-    const Observer own(space.illuminant);
+/// The space's white, as the light's reader has it where there is an illuminant of it.
+XYZ whiteOf(const ColorSpace& space, const Observer& light) {
+    const Observer own(space.illuminant, light.quadrature(), light.bands());
     return hasWhiteOf(*space.primaries, own) ? own.white() : xyzOf(space.primaries->white);
 }
 
@@ -89,7 +89,7 @@ Imath::M33d xyzFromRGB(const ColorSpace& space, const Observer& light, Adaptatio
     }
     // The primaries' directions alone: their lengths follow from the white, to the last bit as
     // everywhere else.
-    const Imath::M33d matrix = adaptation(whiteOf(space), light.white(), kind);
+    const Imath::M33d matrix = adaptation(whiteOf(space, light), light.white(), kind);
     ColorSpace seen = space;
     Primaries& p = *seen.primaries;
     for (Chromaticity* c : {&p.red, &p.green, &p.blue}) *c = adapted(*c, matrix);

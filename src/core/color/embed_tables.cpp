@@ -1,6 +1,7 @@
 // Build step: turns the CSV tables of data/ into one C++ source file (see tables.h).
 //
-//     embed_tables CMF.csv ILLUMINANTS.csv REFLECTANCES.csv OUT.cpp
+//     embed_tables CMF.csv ILLUMINANTS.csv REFLECTANCES.csv FINE_CMF.csv ILLUMINANT_ENDS.csv
+//     OUT.cpp
 #include <cstdint>
 #include <fstream>
 #include <iostream>
@@ -54,7 +55,8 @@ std::int64_t exactTenBillionths(const std::string& text) {
 }
 
 void writeTables(const std::vector<Row>& cmf, const std::vector<Row>& light, std::ostream& out) {
-    out << "// Made from data/*.csv by embed_tables.\n#include \"color/tables.h\"\n\n"
+    out << "// Made from data/*.csv by embed_tables.\n#include \"color/tables.h\"\n\n#include "
+           "<cmath>\n\n"
         << "namespace specbake::internal::tables {\n\n"
         << "const std::array<std::array<std::int64_t, 3>, kBandCount> colorMatching = {{\n";
     for (std::size_t i = 1; i < cmf.size(); ++i) {
@@ -84,13 +86,41 @@ void writeReflectances(const std::vector<Row>& rows, std::ostream& out) {
     out << "};\nconst std::span<const ReflectanceTable> kReflectances = kRows;\n\n";
 }
 
+void writeFineTable(const std::vector<Row>& cmf, std::ostream& out) {
+    if (cmf.size() != 472) throw std::runtime_error("360 to 830 nm every 1 nm expected");
+    out << "const std::array<std::array<double, 3>, kFineRows> fineColorMatching = {{\n";
+    for (std::size_t i = 1; i < cmf.size(); ++i) {
+        out << "    {" << cmf[i].at(1) << ", " << cmf[i].at(2) << ", " << cmf[i].at(3) << "},\n";
+    }
+    out << "}};\n\n";
+}
+
+/// Rows of 360 to 375 nm, then of 785 to 830 nm.
+void writeEnds(const std::vector<Row>& light, std::ostream& out) {
+    if (light.size() != 15) throw std::runtime_error("a heading and 14 rows of ends expected");
+    const auto value = [](const std::string& cell) { return cell.empty() ? "NAN" : cell; };
+    out << "const std::vector<IlluminantEnds> illuminantEnds = {\n";
+    for (std::size_t column = 1; column < light[0].size(); ++column) {
+        out << "    {\"" << light[0][column] << "\", {";
+        for (std::size_t i = 1; i < light.size(); ++i) {
+            out << value(light[i].at(column)) << (i == 4 ? "}, {" : ", ");
+        }
+        out << "}},\n";
+    }
+    out << "};\n\n";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
-    if (argc != 5) throw std::runtime_error("usage: embed_tables CMF LIGHTS REFLECTANCES OUT");
-    std::ofstream out(argv[4]);
+    if (argc != 7) {
+        throw std::runtime_error("usage: embed_tables CMF LIGHTS REFLECTANCES FINE_CMF ENDS OUT");
+    }
+    std::ofstream out(argv[6]);
     writeTables(readBands(argv[1]), readBands(argv[2]), out);
     writeReflectances(readCsv(argv[3]), out);
+    writeFineTable(readCsv(argv[4]), out);
+    writeEnds(readCsv(argv[5]), out);
     out << "}  // namespace specbake::internal::tables\n";
     return out ? 0 : 1;
 } catch (const std::exception& error) {

@@ -11,6 +11,14 @@ Spectrum constantSpectrum(double value) {
     return s;
 }
 
+double valueAt(const Spectrum& spectrum, const Wavelengths& knots, double nm) {
+    const double place = std::clamp((nm - knots.first) / knots.step, 0.0, double(knots.count - 1));
+    const double below = std::min(std::floor(place), double(knots.count - 2));
+    const auto m = std::size_t(below);
+    const double fraction = place - below;
+    return (1 - fraction) * spectrum[m] + fraction * spectrum[m + 1];
+}
+
 Spectrum mix(const Spectrum& a, const Spectrum& b, double weight) {
     Spectrum s;
     for (std::size_t m = 0; m < s.size(); ++m) s[m] = (1 - weight) * a[m] + weight * b[m];

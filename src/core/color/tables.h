@@ -3,6 +3,7 @@
 #include <specbake/core/wavelengths.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -21,6 +22,22 @@ struct IlluminantTable {
     std::array<double, kBandCount> power;  ///< relative spectral power
 };
 extern const std::vector<IlluminantTable> illuminants;
+
+/// x̄, ȳ, z̄ from 360 to 830 nm, a row a nm.
+inline constexpr std::size_t kFineRows = 471;
+extern const std::array<std::array<double, 3>, kFineRows> fineColorMatching;
+
+/// The power of an illuminant before 380 nm and beyond 780 nm, every 5 nm, NaN where there is none.
+struct IlluminantEnds {
+    std::string_view name;
+    std::array<double, 4> below;   ///< 360 to 375 nm
+    std::array<double, 10> above;  ///< 785 to 830 nm
+};
+extern const std::vector<IlluminantEnds> illuminantEnds;
+
+/// 360 to 830 nm every 5 nm; what the CIE does not give repeats the nearest.
+/// Throws ArgumentError for a name that `illuminants` has not.
+std::array<double, 95> finePower(std::string_view light);
 
 /// A measured reflectance of data/natural.csv: tables of one set follow each other.
 struct ReflectanceTable {

@@ -16,6 +16,7 @@ BasePolygon::BasePolygon(std::vector<Imath::V2d> edges) : edges_(std::move(edges
 }
 
 BasePolygon::Point BasePolygon::at(const Imath::V2d& p) const {
+    if (edges_.size() < 2) return onSegment(p);
     const double gauge = signedGauge(p);
     const double rho = std::min(std::abs(gauge), 1.0);
     if (rho == 0) return {std::vector<double>(edges_.size(), 0.5), 0};
@@ -26,6 +27,13 @@ BasePolygon::Point BasePolygon::at(const Imath::V2d& p) const {
         s = (1 - rho) * 0.5 + rho * s;
     }
     return {values, p.length() * std::max(0.0, 1 - 1 / std::abs(gauge))};
+}
+
+BasePolygon::Point BasePolygon::onSegment(const Imath::V2d& p) const {
+    if (edges_.empty()) return {{}, p.length()};
+    const Imath::V2d fromStart = p + center_;
+    const double s = std::clamp(fromStart.dot(edges_[0]) / edges_[0].length2(), 0.0, 1.0);
+    return {{s}, (fromStart - s * edges_[0]).length()};
 }
 
 double BasePolygon::signedGauge(const Imath::V2d& p) const {

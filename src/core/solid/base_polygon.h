@@ -17,7 +17,8 @@ class BasePolygon {
   public:
     BasePolygon() = default;
 
-    /// Edge vectors by ascending angle, all within a half turn, x > 0.
+    /// Edge vectors by ascending angle, all within a half turn, x > 0. Of one edge it is a segment,
+    /// of none a point.
     explicit BasePolygon(std::vector<Imath::V2d> edges);
 
     struct Point {
@@ -29,6 +30,7 @@ class BasePolygon {
     Point at(const Imath::V2d& p) const;
 
   private:
+    Point onSegment(const Imath::V2d& p) const;
     /// rho with the sign of the chain that the ray meets: + for the upper one.
     double signedGauge(const Imath::V2d& p) const;
     std::vector<double> upperChain(double x) const;

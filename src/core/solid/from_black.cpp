@@ -22,7 +22,7 @@ double distanceFromBlack(const std::vector<Imath::V3d>& vectors, const Generator
 
 }  // namespace
 
-FromBlack::FromBlack(const std::vector<Imath::V3d>& vectors) {
+FromBlack::FromBlack(const Generators& generators, const std::vector<Imath::V3d>& vectors) {
     std::vector<Imath::V3d> caps;
     GeneratorSet lit;
     double blue = 0;
@@ -38,7 +38,7 @@ FromBlack::FromBlack(const std::vector<Imath::V3d>& vectors) {
             caps.push_back(outward / distance);
         }
     };
-    for (const SidePair& side : generators().sides) {
+    for (const SidePair& side : generators.sides) {
         if (!lit[std::size_t(side.first)] || !lit[std::size_t(side.second)]) continue;
         add(side.above, side.normal);
         add(side.below, -side.normal);

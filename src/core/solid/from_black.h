@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solid/face_levels.h"
+#include "solid/generators.h"
 
 #include <Imath/ImathVec.h>
 
@@ -16,8 +17,8 @@ class FromBlack {
   public:
     FromBlack() = default;
 
-    /// `vectors`: of generators(), under a light; those without light make no face.
-    explicit FromBlack(const std::vector<Imath::V3d>& vectors);
+    /// `vectors`: of the generators, under a light; those without light make no face.
+    FromBlack(const Generators& generators, const std::vector<Imath::V3d>& vectors);
 
     /// (M15): max n·t / H over the faces that do not pass through black, at least 0.
     double gauge(const Imath::V3d& t) const;

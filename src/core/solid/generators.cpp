@@ -12,9 +12,22 @@ namespace {
 __extension__ using Exact = __int128;
 using ExactVector = std::array<Exact, 3>;
 
-ExactVector tableVector(int band) {
-    const auto& row = tables::colorMatching[std::size_t(band)];
-    return {row[0], row[1], row[2]};
+/// The bands' vectors, each up to a positive factor.
+using BandVectors = std::vector<ExactVector>;
+
+BandVectors tableVectors() {
+    BandVectors vectors;
+    for (const auto& row : tables::colorMatching) vectors.push_back({row[0], row[1], row[2]});
+    return vectors;
+}
+
+BandVectors weightVectors(const Observer& observer) {
+    BandVectors vectors;
+    for (const Imath::V3d& w : observer.weights()) {
+        const Imath::V3d whole = w / Observer::kWeightUnit;
+        vectors.push_back({Exact(whole.x), Exact(whole.y), Exact(whole.z)});
+    }
+    return vectors;
 }
 
 ExactVector cross(const ExactVector& a, const ExactVector& b) {
@@ -29,11 +42,13 @@ bool parallel(const ExactVector& a, const ExactVector& b) {
     return cross(a, b) == ExactVector{};
 }
 
-std::vector<std::vector<int>> mergeParallelBands() {
+std::vector<std::vector<int>> mergeParallelBands(const BandVectors& bandVectors) {
     std::vector<std::vector<int>> groups;
     for (int band = 0; band < kBandCount; ++band) {
+        const ExactVector& vector = bandVectors[std::size_t(band)];
+        if (vector == ExactVector{}) continue;
         const auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) {
-            return parallel(tableVector(g.front()), tableVector(band));
+            return parallel(bandVectors[std::size_t(g.front())], vector);
         });
         if (group == groups.end()) {
             groups.push_back({band});
@@ -42,6 +57,20 @@ std::vector<std::vector<int>> mergeParallelBands() {
         }
     }
     return groups;
+}
+
+std::array<std::size_t, kBandCount> generatorsOfBands(const std::vector<std::vector<int>>& groups) {
+    std::array<std::size_t, kBandCount> ofBand;
+    ofBand.fill(groups.size());
+    for (std::size_t j = 0; j < groups.size(); ++j) {
+        for (const int band : groups[j]) ofBand[std::size_t(band)] = j;
+    }
+    std::size_t before = 0;  // the first group is that of the first band with weight
+    for (std::size_t& generator : ofBand) {
+        if (generator == groups.size()) generator = before;
+        before = generator;
+    }
+    return ofBand;
 }
 
 Imath::V3d unit(const ExactVector& n) {
@@ -75,15 +104,15 @@ std::vector<int> redByAngle(const std::vector<ExactVector>& vectors) {
     return red;
 }
 
-Generators makeGenerators() {
+Generators makeGenerators(const BandVectors& bandVectors) {
     Generators result;
-    result.bands = mergeParallelBands();
+    result.bands = mergeParallelBands(bandVectors);
+    result.ofBand = generatorsOfBands(result.bands);
     std::vector<ExactVector> vectors;
-    for (const auto& bands : result.bands) vectors.push_back(tableVector(bands.front()));
-    const int count = result.count();
-    for (std::size_t j = 0; j < result.bands.size(); ++j) {
-        for (const int band : result.bands[j]) result.ofBand[std::size_t(band)] = j;
+    for (const auto& bands : result.bands) {
+        vectors.push_back(bandVectors[std::size_t(bands.front())]);
     }
+    const int count = result.count();
     result.red = redByAngle(vectors);
     result.isRed.assign(vectors.size(), false);
     for (const int j : result.red) result.isRed[std::size_t(j)] = true;
@@ -102,9 +131,12 @@ Generators makeGenerators() {
 
 }  // namespace
 
-const Generators& generators() {
-    static const Generators made = makeGenerators();
-    return made;
+std::shared_ptr<const Generators> generatorsOf(const Observer& observer) {
+    if (observer.quadrature() == Quadrature::fine) {
+        return std::make_shared<const Generators>(makeGenerators(weightVectors(observer)));
+    }
+    static const auto ofTable = std::make_shared<const Generators>(makeGenerators(tableVectors()));
+    return ofTable;
 }
 
 }  // namespace specbake::internal

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <specbake/core/wavelengths.h>
+#include <specbake/core/observer.h>
 
 #include <Imath/ImathVec.h>
 
 #include <array>
 #include <bitset>
+#include <memory>
 #include <vector>
 
 namespace specbake::internal {
@@ -24,12 +25,15 @@ struct SidePair {
 /// The combinatorics of the object-colour solid (paper, section 3).
 ///
 /// The bands' vectors w_m are merged where they are parallel; each group is one generator of the
-/// zonohedron, the sum of its bands. An illuminant multiplies each vector by a positive factor, so
-/// that parallelism and the sign of each n.w_j follow from the printed table alone. They are
-/// decided in integers: a component is below 2^35, a triple determinant below 2^108.
+/// zonohedron, the sum of its bands. Of the sum over the bands an illuminant multiplies each vector
+/// by a positive factor, so that parallelism and the sign of each n.w_j follow from the printed
+/// table alone. They are decided in integers: a component is below 2^35, a triple determinant below
+/// 2^108. The weights of the fine quadrature are themselves integers of a unit (observer.h); bands
+/// that weigh nothing belong to no generator.
 struct Generators {
-    std::vector<std::vector<int>> bands;           ///< the bands of each generator, ascending
-    std::array<std::size_t, kBandCount> ofBand{};  ///< the generator of each band
+    std::vector<std::vector<int>> bands;  ///< the bands of each generator, ascending
+    /// By band; of bands that weigh nothing, that of the one before, or of the first that does.
+    std::array<std::size_t, kBandCount> ofBand{};
     std::vector<int> red;         ///< the generators with Z = 0, by ascending angle in the XY plane
     std::vector<bool> isRed;      ///< by generator
     std::vector<SidePair> sides;  ///< every pair that is not red and red: they span the bases
@@ -48,7 +52,7 @@ struct Generators {
     }
 };
 
-/// Made once, on first use.
-const Generators& generators();
+/// Of an observer. That of the sum over the bands, the same under every light, is made once.
+std::shared_ptr<const Generators> generatorsOf(const Observer& observer);
 
 }  // namespace specbake::internal

@@ -19,9 +19,9 @@ namespace {
 class ActiveSet {
   public:
     /// Starts from a vertex, best one that is near already.
-    ActiveSet(const std::vector<Imath::V3d>& vectors, const ReleaseRates& rates,
-              const Vertex& vertex)
-        : w_(vectors), rates_(rates), fixedGap_(vertex.gap) {
+    ActiveSet(const Generators& generators, const std::vector<Imath::V3d>& vectors,
+              const ReleaseRates& rates, const Vertex& vertex)
+        : generators_(generators), w_(vectors), rates_(rates), fixedGap_(vertex.gap) {
         for (std::size_t j = 0; j < w_.size(); ++j) {
             values_[j] = vertex.ones[j] ? 1 : 0;
             sides_.value[j] = vertex.ones[j] ? -1 : 1;
@@ -42,6 +42,7 @@ class ActiveSet {
     void moveFree();
     bool moveUntilHit(const Steps& steps);
 
+    const Generators& generators_;
     const std::vector<Imath::V3d>& w_;
     const ReleaseRates& rates_;
     GeneratorValues values_{};  ///< exactly 0 or 1 where not free
@@ -106,7 +107,7 @@ bool ActiveSet::leastSquares(const Imath::V3d& gap, Steps& steps) const {
         rest -= steps[2] * vector(2);
     }
     if (free_.size() >= 2) {
-        const Imath::V3d n = generators().normal(free_[0], free_[1]);
+        const Imath::V3d n = generators_.normal(free_[0], free_[1]);
         steps[1] = vector(0).cross(rest).dot(n) / vector(0).cross(vector(1)).dot(n);
         rest -= steps[1] * vector(1);
     }
@@ -163,8 +164,7 @@ GeneratorValues ActiveSet::solve() {
 
 /// A point of the base whose generators with Z > 0 are all at `bound`; but not black or white, the
 /// one corner that has a single spectrum to keep exactly.
-bool onBase(const GeneratorValues& values, double bound) {
-    const Generators& g = generators();
+bool onBase(const Generators& g, const GeneratorValues& values, double bound) {
     bool corner = true;
     for (std::size_t j = 0; j < g.bands.size(); ++j) {
         if (values[j] == bound) continue;
@@ -190,7 +190,7 @@ Vertex farthest(const std::vector<Imath::V3d>& vectors, const XYZ& color,
 
 /// The corner of a face at which its two generators are 0, or, on the other side of the centre, 1.
 Vertex Solid::Data::corner(std::size_t face, bool otherSide, const XYZ& color) const {
-    const SidePair& side = generators().sides[face];
+    const SidePair& side = generators->sides[face];
     Vertex vertex{side.above, ExactSum(color)};
     if (!otherSide) {
         vertex.gap.subtract(corners[face]);
@@ -218,16 +218,17 @@ Solid::Nearest Solid::nearest(const XYZ& color) const {
     if (r <= 1) return {color, 0, std::nullopt};
     GeneratorValues values =
         r > 1 + data_->gaugeError
-            ? ActiveSet(data_->vectors, data_->rates, data_->near(color, r)).solve()
+            ? ActiveSet(*data_->generators, data_->vectors, data_->rates, data_->near(color, r))
+                  .solve()
             : data_->onBoundary(XYZ(data_->center + d / r)).values;
     XYZ point(colorOf(data_->vectors, values));
-    const bool onTop = onBase(values, 1);
-    if (onTop || onBase(values, 0)) {
+    const bool onTop = onBase(*data_->generators, values, 1);
+    if (onTop || onBase(*data_->generators, values, 0)) {
         values = onTop ? data_->onTopBase(point).values
                        : opposite(data_->onTopBase(XYZ(data_->white - point)).values);
         point = XYZ(colorOf(data_->vectors, values));
     }
-    return {point, (color - point).length(), Data::expand(values)};
+    return {point, (color - point).length(), data_->expand(values)};
 }
 
 }  // namespace specbake

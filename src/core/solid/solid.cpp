@@ -49,8 +49,9 @@ OnParallelogram nearestOnParallelogram(const Imath::V3d& d, const Imath::V3d& wm
 
 }  // namespace
 
-Solid::Data::Data(const Observer& observer) : white(observer.white()), center(white * 0.5) {
-    const Generators& g = generators();
+Solid::Data::Data(const Observer& observer)
+    : generators(generatorsOf(observer)), white(observer.white()), center(white * 0.5) {
+    const Generators& g = *generators;
     for (const auto& bands : g.bands) {
         Imath::V3d sum(0.0);
         for (const int band : bands) sum += observer.weights()[std::size_t(band)];
@@ -68,7 +69,7 @@ Solid::Data::Data(const Observer& observer) : white(observer.white()), center(wh
     topCenter = {top.x, top.y};
     rates = ReleaseRates(vectors);
     makeFaces();
-    fromBlack = FromBlack(vectors);
+    fromBlack = FromBlack(*generators, vectors);
 }
 
 ExactSum Solid::Data::sumOf(const GeneratorSet& set) const {
@@ -82,7 +83,7 @@ ExactSum Solid::Data::sumOf(const GeneratorSet& set) const {
 void Solid::Data::makeFaces() {
     all = sumOf(GeneratorSet().set());
     std::vector<Imath::V3d> directions;
-    for (const SidePair& side : generators().sides) {
+    for (const SidePair& side : generators->sides) {
         corners.push_back(sumOf(side.above));
         const bool dark = vectors[std::size_t(side.first)].length2() == 0 ||
                           vectors[std::size_t(side.second)].length2() == 0;
@@ -104,7 +105,7 @@ void Solid::Data::makeFaces() {
 }
 
 Solid::Data::FacePoint Solid::Data::onSide(std::size_t face, const XYZ& point) const {
-    const SidePair& side = generators().sides[face];
+    const SidePair& side = generators->sides[face];
     FacePoint result;
     for (std::size_t j = 0; j < vectors.size(); ++j) result.values[j] = side.above[j] ? 1 : 0;
     const auto first = std::size_t(side.first);
@@ -118,7 +119,7 @@ Solid::Data::FacePoint Solid::Data::onSide(std::size_t face, const XYZ& point) c
 }
 
 Solid::Data::FacePoint Solid::Data::onTopBase(const XYZ& point) const {
-    const Generators& g = generators();
+    const Generators& g = *generators;
     const BasePolygon::Point inPlane = base.at(Imath::V2d(point.x, point.y) - topCenter);
     FacePoint result;
     result.error = inPlane.overshoot;
@@ -133,7 +134,7 @@ Solid::Data::FacePoint Solid::Data::onTopBase(const XYZ& point) const {
 /// prefer the wrong one, and the point is then outside its parallelogram: so every face whose level
 /// ties within the gauge's error is tried.
 Solid::Data::FacePoint Solid::Data::onBoundary(const XYZ& boundary) const {
-    const Generators& g = generators();
+    const Generators& g = *generators;
     const Imath::V3d d = boundary - center;
     FacePoint best;
     best.error = std::numeric_limits<double>::infinity();
@@ -155,10 +156,9 @@ Imath::V3d internal::colorOf(const std::vector<Imath::V3d>& vectors,
     return sum;
 }
 
-Spectrum Solid::Data::expand(const GeneratorValues& values) {
-    const std::array<std::size_t, kBandCount>& generator = generators().ofBand;
+Spectrum Solid::Data::expand(const GeneratorValues& values) const {
     Spectrum spectrum;
-    for (std::size_t m = 0; m < spectrum.size(); ++m) spectrum[m] = values[generator[m]];
+    for (std::size_t m = 0; m < spectrum.size(); ++m) spectrum[m] = values[generators->ofBand[m]];
     return spectrum;
 }
 
@@ -201,7 +201,7 @@ Solid::Boundary Solid::boundary(const XYZ& color) const {
     const double r = data_->faces.largest(d);
     if (r == 0) return {0, data_->center, constantSpectrum(0.5)};
     const XYZ boundary(data_->center + d / r);
-    return {r, boundary, Data::expand(data_->onBoundary(boundary).values)};
+    return {r, boundary, data_->expand(data_->onBoundary(boundary).values)};
 }
 
 double Solid::support(const Imath::V3d& direction) const {

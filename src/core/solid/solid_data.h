@@ -10,6 +10,7 @@
 #include <specbake/core/solid.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace specbake::internal {
@@ -37,6 +38,7 @@ namespace specbake {
 struct Solid::Data {
     explicit Data(const Observer& observer);
 
+    std::shared_ptr<const internal::Generators> generators;
     XYZ white;
     XYZ center;
     std::vector<Imath::V3d> vectors;  ///< the generators, each the sum of its bands' w_m
@@ -44,7 +46,7 @@ struct Solid::Data {
     internal::BasePolygon base;
     Imath::V2d topCenter;  ///< of the base at Z = max, in XY
 
-    /// The outward normals with n_Z > 0, over h(n): those of generators().sides, then the base's.
+    /// The outward normals with n_Z > 0, over h(n): those of generators->sides, then the base's.
     /// The solid's symmetry gives the other half.
     internal::FaceLevels faces;
     double gaugeError = 0;
@@ -58,14 +60,15 @@ struct Solid::Data {
     };
     FacePoint onBoundary(const XYZ& boundary) const;
 
-    static Spectrum expand(const internal::GeneratorValues& values);
+    /// Bands that weigh nothing repeat the one before, or the first that does not.
+    Spectrum expand(const internal::GeneratorValues& values) const;
 
     /// The chosen values of a point of the base at Z = max.
     FacePoint onTopBase(const XYZ& point) const;
-    /// Of a point of one of generators().sides.
+    /// Of a point of one of generators->sides.
     FacePoint onSide(std::size_t face, const XYZ& point) const;
 
-    /// The corner of each of generators().sides at which its two generators are 0.
+    /// The corner of each of generators->sides at which its two generators are 0.
     std::vector<internal::ExactSum> corners;
     internal::ExactSum all;  ///< Σ w_j
 

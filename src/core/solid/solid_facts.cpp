@@ -3,7 +3,6 @@
 
 #include <specbake/core/observer.h>
 #include <specbake/core/solid.h>
-#include <specbake/core/solid_facts.h>
 #include <specbake/core/solid_mesh.h>
 
 namespace specbake {
@@ -11,7 +10,8 @@ namespace specbake {
 using namespace internal;
 
 SolidFacts solidFacts(const Observer& observer) {
-    const Generators& g = generators();
+    const auto generators = generatorsOf(observer);
+    const Generators& g = *generators;
     const Solid solid(observer);
     const SolidMesh mesh = solidMesh(solid);
     SolidFacts facts;
@@ -22,7 +22,7 @@ SolidFacts solidFacts(const Observer& observer) {
     for (const auto& bands : g.bands) {
         if (bands.size() == 1) continue;
         std::vector<int> group;
-        for (const int band : bands) group.push_back(wavelength(band));
+        for (const int band : bands) group.push_back(int(observer.knots().at(band)));
         facts.parallelGroups.push_back(group);
     }
     facts.generators = g.count();

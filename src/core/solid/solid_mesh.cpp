@@ -16,12 +16,13 @@ namespace {
 
 class MeshBuilder {
   public:
-    explicit MeshBuilder(const std::vector<Imath::V3d>& vectors) : vectors_(vectors) {
+    MeshBuilder(const Generators& generators, const std::vector<Imath::V3d>& vectors)
+        : generators_(generators), vectors_(vectors) {
         for (std::size_t j = 0; j < vectors.size(); ++j) all_[j] = true;
     }
 
     SolidMesh build() {
-        for (const SidePair& side : generators().sides) {
+        for (const SidePair& side : generators_.sides) {
             const auto upper = corners(side);
             mesh_.parallelograms.push_back(indices(upper));
             mesh_.parallelograms.push_back(indices(opposite(upper)));
@@ -54,12 +55,11 @@ class MeshBuilder {
 
     /// The lower chain takes the reds by ascending angle, the upper one gives them back.
     std::vector<GeneratorSet> topRim() const {
-        const Generators& g = generators();
         GeneratorSet set = all_;
-        for (const int j : g.red) set.reset(std::size_t(j));
+        for (const int j : generators_.red) set.reset(std::size_t(j));
         std::vector<GeneratorSet> rim;
         for (const bool value : {true, false}) {
-            for (const int j : g.red) {
+            for (const int j : generators_.red) {
                 rim.push_back(set);
                 set[std::size_t(j)] = value;
             }
@@ -85,6 +85,7 @@ class MeshBuilder {
         return result;
     }
 
+    const Generators& generators_;
     const std::vector<Imath::V3d>& vectors_;
     GeneratorSet all_;
     SolidMesh mesh_;
@@ -101,7 +102,7 @@ void writeFace(const Face& face, std::ostream& out) {
 }  // namespace
 
 SolidMesh solidMesh(const Solid& solid) {
-    return MeshBuilder(solid.data_->vectors).build();
+    return MeshBuilder(*solid.data_->generators, solid.data_->vectors).build();
 }
 
 void writeObj(const SolidMesh& mesh, std::ostream& out) {

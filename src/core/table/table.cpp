@@ -7,7 +7,9 @@
 #include <specbake/sampler.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <string>
 
@@ -41,11 +43,28 @@ Range rangeOf(const NodeSpectra& nodes) {
     return {};
 }
 
-std::string textOf(const Upsampler& upsampler) {
+/// "mean p99 max" in a width that the figures do not change: the text's place is fixed before them.
+std::string figures(const TableErrors& errors) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%10.6f %10.6f %10.6f", errors.mean, errors.p99,
+                  errors.max);
+    return text.data();
+}
+
+std::string textOf(const Upsampler& upsampler, const TableSurvey& survey) {
+    const Quadrature quadrature = upsampler.observer().quadrature();
+    const bool isFine = quadrature == Quadrature::fine;
+    const ReaderErrors& ofBands = isFine ? survey.otherwise : survey.own;
+    const ReaderErrors& ofFine = isFine ? survey.own : survey.otherwise;
     return "format=spectab\nspace=" + upsampler.space().name +
            "\nilluminant=" + upsampler.observer().illuminant() +
            "\nobserver=" + std::string(upsampler.observer().name()) +
-           "\nmethod=" + upsampler.options().method + "\nquadrature=sum over the bands" +
+           "\nmethod=" + upsampler.options().method +
+           "\nquadrature=" + std::string(quadratureText(quadrature)) +
+           "\nde2000_bands=" + figures(ofBands.everywhere) +
+           "\nde2000_bands_boundary=" + figures(ofBands.atBoundary) +
+           "\nde2000_fine=" + figures(ofFine.everywhere) +
+           "\nde2000_fine_boundary=" + figures(ofFine.atBoundary) +
            "\nidentity=" + upsampler.identity() + "\n";
 }
 
@@ -58,10 +77,11 @@ class TableBytes {
         header_.headerBytes = sizeof header_;
         header_.axisLaw = 1;
         header_.nodes = std::uint32_t(nodesPerAxis);
-        header_.bands = kBandCount;
-        header_.stride = kBandCount + 1;
-        header_.firstWavelength = float(kFirstWavelength);
-        header_.wavelengthStep = float(kWavelengthStep);
+        const Wavelengths knots = upsampler.observer().knots();
+        header_.bands = std::uint32_t(knots.count);
+        header_.stride = header_.bands + 1;
+        header_.firstWavelength = float(knots.first);
+        header_.wavelengthStep = float(knots.step);
         header_.textOffset = sizeof header_;
         header_.textBytes = text_.size();
         header_.nodesOffset = (sizeof header_ + text_.size() + 63) / 64 * 64;
@@ -78,13 +98,17 @@ class TableBytes {
         samples_.clear();
         samples_.reserve(nodes.spectrum.size() * header_.stride);
         for (const Spectrum& spectrum : nodes.spectrum) {
-            for (const double value : spectrum) samples_.push_back(range.sample(value));
+            for (std::size_t m = 0; m < header_.bands; ++m) {
+                samples_.push_back(range.sample(spectrum[m]));
+            }
             samples_.push_back(samples_.back());
         }
         header_.fileBytes = header_.nodesOffset + samples_.size() * sizeof(std::uint16_t);
     }
 
-    void setErrors(const TableErrors& everywhere, const TableErrors& atBoundary) {
+    /// `text`: as long as before, with the figures.
+    void setErrors(const TableErrors& everywhere, const TableErrors& atBoundary, std::string text) {
+        text_ = std::move(text);
         header_.meanError = float(everywhere.mean);
         header_.p99Error = float(everywhere.p99);
         header_.maxError = float(std::max(everywhere.max, atBoundary.max));
@@ -121,7 +145,7 @@ SpectralTableFile spectralTable(const Upsampler& upsampler) {
     const Grid grid(*upsampler.options().grid);
     NodeSpectra nodes = nodeSpectra(grid, upsampler);
     extendBeyondSolid(grid, upsampler, nodes);
-    TableBytes table(upsampler, grid.axis().nodes(), textOf(upsampler));
+    TableBytes table(upsampler, grid.axis().nodes(), textOf(upsampler, {}));
     table.setNodes(nodes);
     SpectralTableFile file;
     file.bytes = table.bytes();
@@ -130,9 +154,12 @@ SpectralTableFile spectralTable(const Upsampler& upsampler) {
         throw ArgumentError("a table that its own reader refuses");
     }
     const TableSurvey survey = surveyed(view, grid, nodes, upsampler);
-    file.everywhere = survey.everywhere;
-    file.atBoundary = survey.atBoundary;
-    table.setErrors(file.everywhere, file.atBoundary);
+    file.everywhere = survey.own.everywhere;
+    file.atBoundary = survey.own.atBoundary;
+    file.everywhereOtherwise = survey.otherwise.everywhere;
+    file.atBoundaryOtherwise = survey.otherwise.atBoundary;
+    file.quadrature = upsampler.observer().quadrature();
+    table.setErrors(file.everywhere, file.atBoundary, textOf(upsampler, survey));
     file.bytes = table.bytes();
     return file;
 }

@@ -34,20 +34,21 @@ constexpr std::array<float, kNodeStride> mostOfEachValue() {
 }
 alignas(64) constexpr std::array<float, kNodeStride> kMost = mostOfEachValue();
 
-/// A row of texels in kTexelSamples planes on its way to memory. Blocks of kBlock texels are put
-/// together here and leave by whole cache lines past the caches: written in place, the planes,
-/// often a power of two apart, would drive each other out of the cache.
+/// A row of texels in at most kTexelSamples planes on its way to memory. Blocks of kBlock texels
+/// are put together here and leave by whole cache lines past the caches: written in place, the
+/// planes, often a power of two apart, would drive each other out of the cache.
 template <class Sample>
 class PlaneRows {
   public:
-    PlaneRows(std::byte* planes, std::size_t stride) : planes_(planes), stride_(stride) {}
+    PlaneRows(std::byte* planes, std::size_t stride, std::size_t count)
+        : planes_(planes), stride_(stride), count_(count) {}
 
     /// Where the samples of the block at hand go.
     Sample* block(std::size_t plane) { return line_[plane].data() + kLine; }
 
     /// Sends a whole block, which begins at texel `first`; what does not fill a line waits.
     void send(std::size_t first) {
-        for (std::size_t p = 0; p < kTexelSamples; ++p) {
+        for (std::size_t p = 0; p < count_; ++p) {
             Sample* to = row(p) + first;
             const std::size_t waiting = waitingBefore(to);
             const Sample* from = block(p) - waiting;
@@ -63,7 +64,7 @@ class PlaneRows {
 
     /// Sends what waits, and `count` samples of the block at hand.
     void finish(std::size_t first, std::size_t count) {
-        for (std::size_t p = 0; p < kTexelSamples; ++p) {
+        for (std::size_t p = 0; p < count_; ++p) {
             Sample* to = row(p) + first;
             const std::size_t waiting = first == 0 ? 0 : waitingBefore(to);
             std::copy_n(block(p) - waiting, waiting + count, to - waiting);
@@ -92,6 +93,7 @@ class PlaneRows {
 
     std::byte* planes_;
     std::size_t stride_;
+    std::size_t count_;  ///< of the planes; what is beyond is blended, and goes nowhere
     /// Of each plane, the line before the block and the block.
     alignas(kLineBytes) std::array<std::array<Sample, kLine + kBlock>, kTexelSamples> line_;
 };
@@ -229,8 +231,9 @@ void blendBlock(const Mix* texels, PlaneRows<Sample>& rows) {
 }
 
 template <class Sample>
-void blendRow(std::span<const Mix> texels, std::byte* planes, std::size_t planeStride) {
-    PlaneRows<Sample> rows(planes, planeStride);
+void blendRow(std::span<const Mix> texels, std::byte* planes, std::size_t planeStride,
+              std::size_t count) {
+    PlaneRows<Sample> rows(planes, planeStride, count);
     std::size_t first = 0;
     for (; first + kBlock <= texels.size(); first += kBlock) {
         blendBlock(texels.data() + first, rows);
@@ -280,12 +283,14 @@ void blendWanted(std::span<const Mix> texels, const SampleSelection& wanted,
     }
 }
 
-void blendHalf(std::span<const Mix> texels, std::byte* planes, std::size_t planeStride) {
-    blendRow<Imath::half>(texels, planes, planeStride);
+void blendHalf(std::span<const Mix> texels, std::byte* planes, std::size_t planeStride,
+               std::size_t count) {
+    blendRow<Imath::half>(texels, planes, planeStride, count);
 }
 
-void blendFloat(std::span<const Mix> texels, std::byte* planes, std::size_t planeStride) {
-    blendRow<float>(texels, planes, planeStride);
+void blendFloat(std::span<const Mix> texels, std::byte* planes, std::size_t planeStride,
+                std::size_t count) {
+    blendRow<float>(texels, planes, planeStride, count);
 }
 
 }  // namespace
@@ -300,12 +305,12 @@ HWY_EXPORT(blendFloat);
 HWY_EXPORT(blendWanted);
 }  // namespace
 
-void blend(std::span<const Mix> texels, SampleType type, std::byte* planes,
-           std::size_t planeStride) {
+void blend(std::span<const Mix> texels, SampleType type, std::byte* planes, std::size_t planeStride,
+           std::size_t count) {
     if (type == SampleType::half) {
-        HWY_DYNAMIC_DISPATCH(blendHalf)(texels, planes, planeStride);
+        HWY_DYNAMIC_DISPATCH(blendHalf)(texels, planes, planeStride, count);
     } else {
-        HWY_DYNAMIC_DISPATCH(blendFloat)(texels, planes, planeStride);
+        HWY_DYNAMIC_DISPATCH(blendFloat)(texels, planes, planeStride, count);
     }
 }
 

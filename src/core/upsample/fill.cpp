@@ -9,8 +9,9 @@ namespace {
 /// The nodes' spectra, solved together.
 class NodeFinder {
   public:
-    NodeFinder(const Grid& grid, const Imath::M33d& xyzFromGrid, const Solver& solver)
-        : grid_(grid), xyzFromGrid_(xyzFromGrid), solver_(solver) {}
+    NodeFinder(const Grid& grid, const Imath::M33d& xyzFromGrid, const Solver& solver,
+               const NodeEncoder& encoder)
+        : grid_(grid), xyzFromGrid_(xyzFromGrid), solver_(solver), encoder_(encoder) {}
 
     void operator()(std::span<const std::uint32_t> nodes, std::span<NodeValues> values,
                     std::span<std::uint8_t> there) const {
@@ -37,8 +38,9 @@ class NodeFinder {
 
 }  // namespace
 
-NodeStore filledStore(const Grid& grid, const Imath::M33d& xyzFromGrid, const Solver& solver) {
-    return {grid.nodeCount(), NodeFinder(grid, xyzFromGrid, solver)};
+NodeStore filledStore(const Grid& grid, const Imath::M33d& xyzFromGrid, const Solver& solver,
+                      const NodeEncoder& encoder) {
+    return {grid.nodeCount(), NodeFinder(grid, xyzFromGrid, solver, encoder)};
 }
 
 }  // namespace specbake::internal

@@ -12,10 +12,11 @@ NodeValues blended(const Mix& mix) {
     return result;
 }
 
-Lattice::Lattice(int nodes, const Imath::M33d& xyzFromGrid, const ColorResolver& resolver)
+Lattice::Lattice(int nodes, const Imath::M33d& xyzFromGrid, const ColorResolver& resolver,
+                 const NodeEncoder& encoder)
     : grid(nodes),
       margin(grid, xyzFromGrid, resolver.solid()),
-      store(filledStore(grid, xyzFromGrid, resolver.solver())) {}
+      store(filledStore(grid, xyzFromGrid, resolver.solver(), encoder)) {}
 
 Lattice::Place Lattice::at(const Point& point) {
     const GridSimplex simplex = grid.locate(point);

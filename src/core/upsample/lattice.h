@@ -17,7 +17,8 @@ class Lattice {
     using Point = std::array<float, 3>;
 
     /// The resolver must outlive it.
-    Lattice(int nodes, const Imath::M33d& xyzFromGrid, const ColorResolver& resolver);
+    Lattice(int nodes, const Imath::M33d& xyzFromGrid, const ColorResolver& resolver,
+            const NodeEncoder& encoder);
 
     /// The spectrum at a point, as far as it is the grid's.
     struct Place {

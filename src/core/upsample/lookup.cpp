@@ -19,11 +19,12 @@ NodeValues mixed(const NodeValues& a, const NodeValues& b, float weight) {
 }  // namespace
 
 SpectrumLookup::SpectrumLookup(std::optional<int> gridNodes, const LookupSpaces& spaces,
-                               const ColorResolver& resolver)
+                               const ColorResolver& resolver, const NodeEncoder& encoder)
     : spaces_(spaces),
-      lattice_(gridNodes ? std::make_unique<Lattice>(*gridNodes, spaces.xyzFromGrid(), resolver)
-                         : nullptr),
-      texels_(spaces_, resolver, lattice_.get()) {}
+      lattice_(gridNodes
+                   ? std::make_unique<Lattice>(*gridNodes, spaces.xyzFromGrid(), resolver, encoder)
+                   : nullptr),
+      texels_(spaces_, resolver, encoder, lattice_.get()) {}
 
 void SpectrumLookup::locate(std::span<const Color> colors, std::span<Mix> mixes, Scratch& scratch,
                             ColorCensus& census) {

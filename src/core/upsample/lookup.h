@@ -22,7 +22,7 @@ class SpectrumLookup {
   public:
     /// `gridNodes`: none to solve every texel by itself. The resolver must outlive the lookup.
     SpectrumLookup(std::optional<int> gridNodes, const LookupSpaces& spaces,
-                   const ColorResolver& resolver);
+                   const ColorResolver& resolver, const NodeEncoder& encoder);
 
     /// Spectra of texels that are not blends of grid nodes; what Mix points to stays put.
     using Scratch = std::deque<SolvedTexel>;

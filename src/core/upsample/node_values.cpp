@@ -4,8 +4,8 @@
 
 namespace specbake::internal {
 
-NodeEncoder::NodeEncoder()
-    : daylight_("D65"),
+NodeEncoder::NodeEncoder(const Observer& d65)
+    : daylight_(d65),
       sRGBFromXYZ_(xyzFromRGB(*findColorSpace("lin_rec709"), daylight_.white()).inverse()) {}
 
 NodeValues NodeEncoder::encode(const Spectrum& reflectance) const {

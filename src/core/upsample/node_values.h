@@ -22,7 +22,8 @@ struct alignas(64) NodeValues {
 /// blended spectra.
 class NodeEncoder {
   public:
-    NodeEncoder();
+    /// `d65`: of the bands and the quadrature of the spectra.
+    explicit NodeEncoder(const Observer& d65);
     NodeValues encode(const Spectrum& reflectance) const;
 
   private:

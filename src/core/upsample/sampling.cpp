@@ -1,4 +1,5 @@
 #include <specbake/core/error.h>
+#include <specbake/core/quadrature.h>
 #include <specbake/core/sampling.h>
 
 #include <Imath/half.h>
@@ -17,11 +18,10 @@ std::vector<SampleSelection::Tap> wholeSamples(std::size_t first, std::size_t co
     return taps;
 }
 
-SampleSelection::Tap tapAt(double nm) {
+SampleSelection::Tap tapAt(double nm, const Wavelengths& knots) {
     if (!std::isfinite(nm)) throw ArgumentError("a wavelength that is not a finite number");
-    const double band =
-        std::clamp((nm - kFirstWavelength) / kWavelengthStep, 0.0, double(kBandCount - 1));
-    const double below = std::min(std::floor(band), double(kBandCount - 2));
+    const double band = std::clamp((nm - knots.first) / knots.step, 0.0, double(knots.count - 1));
+    const double below = std::min(std::floor(band), double(knots.count - 2));
     const auto fraction = float(band - below);
     if (fraction == 1) return {kPreviewSamples + std::size_t(below) + 1, 0};
     return {kPreviewSamples + std::size_t(below), fraction};
@@ -37,17 +37,24 @@ SampleSelection::SampleSelection(std::vector<Tap> taps) : taps_(std::move(taps))
     if (together) run_ = taps_[0].first;
 }
 
-SampleSelection SampleSelection::channels() {
-    return SampleSelection(wholeSamples(0, kTexelSamples));
+SampleSelection SampleSelection::channels(const Wavelengths& bands) {
+    std::vector<Tap> taps = wholeSamples(0, kPreviewSamples);
+    const SampleSelection rest = SampleSelection::bands(bands);
+    taps.insert(taps.end(), rest.taps().begin(), rest.taps().end());
+    return SampleSelection(std::move(taps));
 }
 
-SampleSelection SampleSelection::bands() {
-    return SampleSelection(wholeSamples(kPreviewSamples, kBandCount));
+SampleSelection SampleSelection::bands(const Wavelengths& bands) {
+    if (bands.knots() == bands) {
+        return SampleSelection(wholeSamples(kPreviewSamples, std::size_t(bands.count)));
+    }
+    return at(listed(bands), bands);
 }
 
-SampleSelection SampleSelection::at(std::span<const double> wavelengths) {
-    std::vector<Tap> taps(wavelengths.size());
-    std::transform(wavelengths.begin(), wavelengths.end(), taps.begin(), tapAt);
+SampleSelection SampleSelection::at(std::span<const double> wavelengths, const Wavelengths& bands) {
+    std::vector<Tap> taps;
+    taps.reserve(wavelengths.size());
+    for (const double nm : wavelengths) taps.push_back(tapAt(nm, bands.knots()));
     return SampleSelection(std::move(taps));
 }
 

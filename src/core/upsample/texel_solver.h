@@ -18,8 +18,9 @@ class TexelSolver {
     using Color = LookupSpaces::Color;
 
     /// `lattice`: nullptr where there is no grid. All must outlive it.
-    TexelSolver(const LookupSpaces& spaces, const ColorResolver& resolver, Lattice* lattice)
-        : spaces_(spaces), resolver_(resolver), lattice_(lattice) {}
+    TexelSolver(const LookupSpaces& spaces, const ColorResolver& resolver,
+                const NodeEncoder& encoder, Lattice* lattice)
+        : spaces_(spaces), resolver_(resolver), lattice_(lattice), encoder_(encoder) {}
 
     /// Solves `colors[i]` into `texels[i]`: as many of the one as of the other.
     void solve(std::span<const Color> colors, std::span<SolvedTexel> texels);

@@ -22,7 +22,12 @@ const UpsamplerOptions& checked(const UpsamplerOptions& options) {
 }
 
 Observer observerOf(const ColorSpace& space, const UpsamplerOptions& options) {
-    return Observer(options.illuminant.value_or(space.illuminant));
+    return Observer(options.illuminant.value_or(space.illuminant), options.quadrature,
+                    options.bands);
+}
+
+NodeEncoder encoderFor(const Observer& observer) {
+    return NodeEncoder(Observer("D65", observer.quadrature(), observer.bands()));
 }
 
 /// The cube that the grid divides: the texture's own space, and for XYZ linear Rec.2020, which
@@ -45,6 +50,13 @@ std::string described(const ColorSpace& space) {
     return space.name + " (" + primariesText(*space.primaries) + ")";
 }
 
+/// What the fine quadrature adds to a name; nothing for the sum over the bands.
+std::string otherBands(const UpsamplerOptions& options) {
+    if (options.quadrature == Quadrature::bands) return {};
+    return "; " + std::string(quadratureText(options.quadrature)) + "; " +
+           wavelengthsText(options.bands) + " nm";
+}
+
 }  // namespace
 
 struct Upsampler::Parts {
@@ -58,7 +70,7 @@ struct Upsampler::Parts {
                            : solverFor(options, observer, solid)),
           resolver(solid, *solver.solver, options.outside),
           spaces(spacesFor(space, observer, options.adapt)),
-          lookup(options.grid, spaces, resolver) {}
+          lookup(options.grid, spaces, resolver, encoderFor(observer)) {}
 
     ColorSpace space;
     UpsamplerOptions options;
@@ -116,7 +128,7 @@ std::string Upsampler::identity() const {
            (isAdapted(parts_->space, observer())
                 ? ", adapted: " + std::string(adaptationName(o.adapt))
                 : "") +
-           "; " + std::string(observer().name());
+           "; " + std::string(observer().name()) + otherBands(o);
 }
 
 std::string Upsampler::samplesIdentity() const {
@@ -160,7 +172,7 @@ ColorCensus Upsampler::sample(std::span<const Color> colors, const SampleSelecti
     ColorCensus census;
     parts_->lookup.locate(colors, mixes, scratch, census);
     if (wanted.isChannels() && target.perColor == bytesPerSample(target.type)) {
-        blend(mixes, target.type, target.to, target.perSample);
+        blend(mixes, target.type, target.to, target.perSample, wanted.count());
     } else {
         blendSome(mixes, wanted, target);
     }

@@ -11,6 +11,13 @@ bool isReflectance(const Spectrum& s) {
     return std::all_of(s.begin(), s.end(), [](double v) { return v >= 0 && v <= 1; });
 }
 
+std::string bandsProblem(const UpsamplerOptions& options) {
+    if (options.quadrature == Quadrature::bands && options.bands != Wavelengths()) {
+        return "the quadrature of other bands than 380:780:5 is the fine one";
+    }
+    return wavelengthsProblem(options.bands);
+}
+
 /// What is wrong; empty if nothing is.
 std::string problemOf(const UpsamplerOptions& options) {
     std::string problem;
@@ -34,6 +41,8 @@ std::string problemOf(const UpsamplerOptions& options) {
             return "the sample '" + sample.name + "' is no reflectance: it leaves [0, 1]";
         }
     }
+    problem = bandsProblem(options);
+    if (!problem.empty()) return problem;
     if (options.grid && (*options.grid < kFewestGridNodes || *options.grid > kMostGridNodes)) {
         return "a grid has " + std::to_string(kFewestGridNodes) + " to " +
                std::to_string(kMostGridNodes) + " nodes an axis, not " +

@@ -105,7 +105,7 @@ ExrContext::ExrContext(const std::filesystem::path& file, std::string shownAs,
             storage.mipmap ? EXR_TILE_MIPMAP_LEVELS : EXR_TILE_ONE_LEVEL, EXR_TILE_ROUND_DOWN));
     }
     const bool half = storage.sampleType == SampleType::half;
-    for (const std::string& name : channelNames(header.alpha)) {
+    for (const std::string& name : channelNames(header.alpha, header.bands)) {
         check(exr_add_channel(context_, part, name.c_str(), half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
                               EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1));
     }

@@ -2,12 +2,16 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <string>
 
 namespace specbake {
 
-std::string bandChannelName(int band) {
-    return "T." + std::to_string(wavelength(band)) + ",000000nm";
+std::string bandChannelName(double nm) {
+    const long long millionths = std::llround(nm * 1e6);
+    const std::string decimals = std::to_string(millionths % 1'000'000);
+    return "T." + std::to_string(millionths / 1'000'000) + ',' +
+           std::string(6 - decimals.size(), '0') + decimals + "nm";
 }
 
 std::optional<double> bandWavelength(std::string_view channelName) {
@@ -43,10 +47,10 @@ std::string_view compressionName(Compression compression) {
     return "none";
 }
 
-std::vector<std::string> channelNames(bool alpha) {
+std::vector<std::string> channelNames(bool alpha, const Wavelengths& bands) {
     std::vector<std::string> names = {"B", "G", "R"};
     if (alpha) names.insert(names.begin(), "A");
-    for (int band = 0; band < kBandCount; ++band) names.push_back(bandChannelName(band));
+    for (int band = 0; band < bands.count; ++band) names.push_back(bandChannelName(bands.at(band)));
     return names;
 }
 

@@ -2,11 +2,12 @@
 #include "texture/openimageio/openimageio_parts.h"
 
 #include <specbake/core/error.h>
+#include <specbake/core/quadrature.h>
 #include <specbake/image/spectral_reader.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <map>
 
 namespace specbake {
 
@@ -14,28 +15,63 @@ using namespace internal;
 
 namespace {
 
-constexpr int kMissing = -1;
+constexpr double kLongest = 1e6;  ///< nm; longer waves are no light
 
-/// For each band, the index of its channel in the file.
-std::array<int, kBandCount> bandChannels(const std::string& path,
-                                         const std::vector<std::string>& names) {
-    std::array<int, kBandCount> channels;
-    channels.fill(kMissing);
+/// The bands that are read: where they stand, and the indices of their channels in the file.
+struct BandChannels {
+    std::vector<double> wavelengths;  ///< ascending
+    std::vector<int> channels;
+};
+
+/// The bands that specbake says it wrote; nothing of a file of another program's.
+std::optional<Wavelengths> writtenBands(const std::string& path, const ImageFile& file) {
+    const auto text = file.text("specbake:wavelengths");
+    if (!text && !file.text("specbake:version")) return {};
+    try {
+        return text ? parseWavelengths(*text) : Wavelengths();
+    } catch (const ArgumentError& error) {
+        throw FileError(path, std::string("specbake:wavelengths: ") + error.what());
+    }
+}
+
+void refuseUnlessThere(const std::string& path, const Wavelengths& written,
+                       const std::map<std::string, int>& there) {
+    for (int band = 0; band < written.count; ++band) {
+        const std::string name = bandChannelName(written.at(band));
+        if (there.contains(name)) continue;
+        throw FileError(path, "no channel " + name + ": not a spectral image of " +
+                                  wavelengthsText(written) + " nm, as it says");
+    }
+}
+
+BandChannels bandChannels(const std::string& path, const ImageFile& file) {
+    std::map<std::string, int> there;  // by the name that we would give
+    std::map<double, int> byWavelength;
+    const std::vector<std::string>& names = file.description().channels;
     for (std::size_t c = 0; c < names.size(); ++c) {
         const auto nm = bandWavelength(names[c]);
-        if (!nm) continue;
-        const double band = (*nm - kFirstWavelength) / kWavelengthStep;
-        if (band == std::floor(band) && band >= 0 && band < kBandCount) {
-            channels[std::size_t(band)] = int(c);
-        }
+        if (!nm || *nm > kLongest) continue;
+        there[bandChannelName(*nm)] = int(c);
+        byWavelength[*nm] = int(c);
     }
-    for (int band = 0; band < kBandCount; ++band) {
-        if (channels[std::size_t(band)] == kMissing) {
-            throw FileError(path, "no channel " + bandChannelName(band) +
-                                      ": not a spectral image of 380 to 780 nm every 5 nm");
+    BandChannels found;
+    if (const auto written = writtenBands(path, file)) {
+        refuseUnlessThere(path, *written, there);
+        for (int band = 0; band < written->count; ++band) {
+            found.wavelengths.push_back(written->at(band));
+            found.channels.push_back(there.at(bandChannelName(written->at(band))));
         }
+        return found;
     }
-    return channels;
+    if (byWavelength.size() < 2) {
+        throw FileError(path, "has no two channels such as " + bandChannelName(400) +
+                                  ": not a spectral image of reflectances");
+    }
+    for (const auto& [nm, channel] : byWavelength) {
+        found.wavelengths.push_back(nm);
+        found.channels.push_back(channel);
+    }
+    return found;
 }
 
 /// Of R, G and B, the channels' indices in the file; nothing unless all three are there.
@@ -51,12 +87,11 @@ std::optional<std::array<int, kPreviewSamples>> previewChannels(
 }
 
 /// Of each texel the samples of some channels, one after the other.
-template <std::size_t Count>
-void pick(std::span<const float> texels, std::size_t stride, const std::array<int, Count>& channels,
+void pick(std::span<const float> texels, std::size_t stride, std::span<const int> channels,
           std::span<float> samples) {
     for (std::size_t t = 0; t * stride < texels.size(); ++t) {
-        for (std::size_t i = 0; i < Count; ++i) {
-            samples[t * Count + i] = texels[t * stride + std::size_t(channels[i])];
+        for (std::size_t i = 0; i < channels.size(); ++i) {
+            samples[t * channels.size() + i] = texels[t * stride + std::size_t(channels[i])];
         }
     }
 }
@@ -67,7 +102,7 @@ struct SpectralReader::Implementation {
     Implementation(const std::string& name)
         : path(name),
           file(openImageFile(path)),
-          channels(bandChannels(path, file->description().channels)),
+          bands(bandChannels(path, *file)),
           preview(previewChannels(file->description().channels)) {
         const ImageDescription& d = file->description();
         header.data = d.data;
@@ -78,7 +113,7 @@ struct SpectralReader::Implementation {
 
     std::string path;
     std::unique_ptr<ImageFile> file;
-    std::array<int, kBandCount> channels;
+    BandChannels bands;
     std::optional<std::array<int, kPreviewSamples>> preview;
     SpectralHeader header;
     std::vector<float> texels;
@@ -95,6 +130,10 @@ const SpectralHeader& SpectralReader::header() const {
 StorageFacts SpectralReader::facts() const {
     const std::string& path = implementation_->path;
     return openImageIOParts(path).storageFacts(path);
+}
+
+const std::vector<double>& SpectralReader::wavelengths() const {
+    return implementation_->bands.wavelengths;
 }
 
 TexelType SpectralReader::storedType() const {
@@ -120,13 +159,14 @@ void SpectralReader::readRows(int first, int count, std::span<float> samples,
     Implementation& i = *implementation_;
     const auto channels = i.file->description().channels.size();
     const std::size_t texels = std::size_t(count) * std::size_t(i.header.data.width);
-    if (samples.size() < texels * kBandCount || (!alpha.empty() && alpha.size() < texels) ||
+    if (samples.size() < texels * i.bands.channels.size() ||
+        (!alpha.empty() && alpha.size() < texels) ||
         (!preview.empty() && preview.size() < texels * kPreviewSamples)) {
         throw ArgumentError("a buffer too small for its rows");
     }
     i.texels.resize(texels * channels);
     i.file->readRows(first, count, TexelType::float32, std::as_writable_bytes(std::span(i.texels)));
-    pick(i.texels, channels, i.channels, samples);
+    pick(i.texels, channels, i.bands.channels, samples);
     if (i.preview && !preview.empty()) pick(i.texels, channels, *i.preview, preview);
     const std::optional<int> opacity = i.file->description().alpha;
     for (std::size_t t = 0; opacity && t < alpha.size(); ++t) {

@@ -12,8 +12,8 @@ std::vector<ChunkGrid> rowByRow(const SpectralHeader& header) {
 
 }  // namespace
 
-SpectralSink::SpectralSink(std::vector<ChunkGrid> levels, SampleType type, bool alpha)
-    : levels_(std::move(levels)), type_(type), alpha_(alpha) {}
+SpectralSink::SpectralSink(std::vector<ChunkGrid> levels, SampleType type, bool alpha, int bands)
+    : levels_(std::move(levels)), type_(type), alpha_(alpha), bands_(bands) {}
 SpectralSink::~SpectralSink() = default;
 
 int SpectralSink::chunkCount() const {
@@ -43,7 +43,8 @@ std::vector<std::byte> SpectralSink::pack(int chunk, std::vector<std::byte> samp
 }
 
 RowSink::RowSink(const SpectralHeader& header, SampleType type, Take take)
-    : SpectralSink(rowByRow(header), type, header.alpha), take_(std::move(take)) {}
+    : SpectralSink(rowByRow(header), type, header.alpha, header.bands.count),
+      take_(std::move(take)) {}
 
 void RowSink::write(int chunk, std::span<const std::byte> packed) {
     take_(chunk, packed);

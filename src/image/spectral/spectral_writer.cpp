@@ -39,7 +39,7 @@ struct SpectralWriter::Implementation {
 SpectralWriter::SpectralWriter(const std::filesystem::path& path, const SpectralHeader& header,
                                const StorageOptions& storage)
     : SpectralSink(chunkGrids(header.data.width, header.data.height, checked(storage)),
-                   storage.sampleType, header.alpha),
+                   storage.sampleType, header.alpha, header.bands.count),
       implementation_(std::make_unique<Implementation>(path, header, storage)) {}
 
 SpectralWriter::~SpectralWriter() = default;

@@ -21,7 +21,7 @@ const std::array<std::string, 4> kLights = {"D65", "E", "A", "F11"};
 
 std::vector<Imath::V3d> generatorVectors(const Observer& observer) {
     std::vector<Imath::V3d> vectors;
-    for (const auto& bands : generators().bands) {
+    for (const auto& bands : generatorsOf(observer)->bands) {
         Imath::V3d sum(0.0);
         for (const int band : bands) sum += observer.weights()[std::size_t(band)];
         vectors.push_back(sum);
@@ -35,7 +35,8 @@ std::vector<Imath::V3d> generatorVectors(const Observer& observer) {
 double steepestSpectrum(const Observer& observer) {
     const std::vector<Imath::V3d> w = generatorVectors(observer);
     double steepest = 0;
-    for (const SidePair& side : generators().sides) {
+    const auto generators = generatorsOf(observer);
+    for (const SidePair& side : generators->sides) {
         const Imath::V3d& a = w[std::size_t(side.first)];
         const Imath::V3d& b = w[std::size_t(side.second)];
         steepest = std::max(steepest, std::max(a.length(), b.length()) / a.cross(b).length());

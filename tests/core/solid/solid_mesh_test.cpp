@@ -1,4 +1,3 @@
-#include <specbake/core/solid_facts.h>
 #include <specbake/core/solid_mesh.h>
 
 #include <doctest/doctest.h>

@@ -4,7 +4,8 @@
 /// Mitsuba 3 and pbrt use, if its functions are given as a shared library.
 ///
 /// All take turns on the same colours, so that what else the machine does falls on all alike;
-/// medians are printed, and their ratios.
+/// medians are printed, and their ratios; then the errors that the table names, for readers of both
+/// quadratures.
 #include <specbake/image/texel_decoder.h>
 #include <specbake/image/texture_reader.h>
 #include <specbake/sampler.h>
@@ -21,6 +22,7 @@
 #include <iterator>
 #include <memory>
 #include <random>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -187,6 +189,17 @@ std::vector<char> contentsOf(const char* path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// What the table says of its own errors, for either reader.
+void printErrors(const SpectralTable& table) {
+    std::istringstream text(std::string(table.text(), table.header().textBytes));
+    fmt::print("\n| CIEDE2000 of the table | mean, 99th percentile, largest |\n|---|---|\n");
+    for (std::string line; std::getline(text, line);) {
+        const auto sign = line.find('=');
+        if (!line.starts_with("de2000_") || sign == std::string::npos) continue;
+        fmt::print("| {} | {} |\n", line.substr(0, sign), line.substr(sign + 1));
+    }
+}
+
 void run(const char* tablePath, const char* image, const Rgb2Spec& rgb2spec) {
     const std::vector<char> bytes = contentsOf(tablePath);
     SpectralTable table;
@@ -204,6 +217,7 @@ void run(const char* tablePath, const char* image, const Rgb2Spec& rgb2spec) {
         printRow<8>(kind, colors, table, rgb2spec);
         printRow<16>(kind, colors, table, rgb2spec);
     }
+    printErrors(table);
 }
 
 }  // namespace

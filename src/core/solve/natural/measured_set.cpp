@@ -66,4 +66,16 @@ std::vector<MeasuredSample> samplesOfMaterial(const std::vector<MeasuredSet>& se
     return samples;
 }
 
+std::vector<MeasuredSample> atKnots(std::vector<MeasuredSample> samples, const Wavelengths& knots) {
+    if (knots == Wavelengths()) return samples;
+    for (MeasuredSample& sample : samples) {
+        const Spectrum measured = sample.reflectance;
+        for (int m = 0; m < kBandCount; ++m) {
+            sample.reflectance[std::size_t(m)] =
+                valueAt(measured, Wavelengths(), knots.at(std::min(m, knots.count - 1)));
+        }
+    }
+    return samples;
+}
+
 }  // namespace specbake::internal

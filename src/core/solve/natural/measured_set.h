@@ -25,4 +25,7 @@ std::vector<MeasuredSet> builtInSetsWithout(std::span<const std::string_view> na
 std::vector<MeasuredSample> samplesOfMaterial(const std::vector<MeasuredSet>& sets,
                                               std::string_view material);
 
+/// Samples where an observer's spectra stand; what weighs nothing there repeats the last band.
+std::vector<MeasuredSample> atKnots(std::vector<MeasuredSample> samples, const Wavelengths& knots);
+
 }  // namespace specbake::internal

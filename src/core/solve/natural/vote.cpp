@@ -37,8 +37,9 @@ double fade(const Imath::V3d& place) {
 Vote::Vote(const Observer& observer, const Solver& solver, const std::vector<MeasuredSet>& sets)
     : white_(observer.white()) {
     for (const MeasuredSet& set : sets) {
+        const std::vector<MeasuredSample> samples = atKnots(set.samples, observer.knots());
         std::vector<XYZ> colors;
-        for (const MeasuredSample& s : set.samples) colors.push_back(observer.color(s.reflectance));
+        for (const MeasuredSample& s : samples) colors.push_back(observer.color(s.reflectance));
         std::vector<Solution> solutions(colors.size());
         solver.solveMany(colors, solutions);
         Blacks& blacks = sets_.emplace_back();
@@ -46,7 +47,7 @@ Vote::Vote(const Observer& observer, const Solver& solver, const std::vector<Mea
             if (!solutions[k].solved()) continue;
             blacks.places.push_back(placeOf(colors[k], white_));
             const Weighted found{-1, &solutions[k].spectrum};
-            Spectrum& black = blacks.differences.emplace_back(set.samples[k].reflectance);
+            Spectrum& black = blacks.differences.emplace_back(samples[k].reflectance);
             addWeighted({&found, 1}, black);
         }
     }

@@ -76,7 +76,7 @@ ShapeChoice chooseShape(const Observer& observer, const Solver& base,
     ShapeChoice best;
     best.samples = missed.places.size();
     best.light = observer.illuminant() == "A" ? "D65" : "A";
-    const Observer lamp(best.light);
+    const Observer lamp(best.light, observer.quadrature(), observer.bands());
     best.without = difference(lamp, missed, std::vector<Spectrum>(best.samples));
     const auto judged = [&](const FieldShape& shape) {
         return difference(lamp, missed, fieldOf(missed, shape).leftOut(missed.blacks));

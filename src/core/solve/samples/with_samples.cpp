@@ -1,5 +1,6 @@
 #include "solve/samples/with_samples.h"
 
+#include "solve/natural/measured_set.h"
 #include "solve/samples/distinct_samples.h"
 #include "solve/samples/samples_solver.h"
 
@@ -34,7 +35,8 @@ std::shared_ptr<const Solver> withMaterial(const Observer& observer,
                                            std::shared_ptr<const Solver> base,
                                            const std::vector<MeasuredSet>& sets,
                                            std::string_view material) {
-    const auto distinct = distinctSamples(observer, samplesOfMaterial(sets, material));
+    const auto distinct =
+        distinctSamples(observer, atKnots(samplesOfMaterial(sets, material), observer.knots()));
     return std::make_shared<const SamplesSolver>(observer, std::move(base), distinct.samples);
 }
 
@@ -46,7 +48,8 @@ NotedSolver withSamples(const UpsamplerOptions& options, const Observer& observe
             withMaterial(observer, std::move(result.solver), builtInSets(), *options.material);
     }
     if (!options.samples.empty()) {
-        DistinctSamples distinct = distinctSamples(observer, options.samples);
+        DistinctSamples distinct =
+            distinctSamples(observer, atKnots(options.samples, observer.knots()));
         const ShapeChoice choice = chooseShape(observer, *result.solver, distinct.samples);
         result.notes = std::move(distinct.notes);
         result.notes.push_back(describe(choice, distinct.samples.size()));

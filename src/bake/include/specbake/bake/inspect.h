@@ -1,7 +1,6 @@
 #pragma once
 
 #include <specbake/core/api.h>
-#include <specbake/core/spectrum.h>
 #include <specbake/image/spectral_reader.h>
 
 #include <cstddef>
@@ -12,9 +11,7 @@ namespace specbake {
 
 /// Reflectances over all texels; NaN counts as out of range and nowhere else.
 struct BandStatistics {
-    Spectrum least{};    ///< of each band
-    Spectrum mean{};     ///< of each band
-    Spectrum largest{};  ///< of each band
+    std::vector<double> least, mean, largest;  ///< of each band, as the reader lists them
     std::size_t texels = 0;
     std::size_t outOfRange = 0;  ///< samples outside [0, 1], NaN among them
 };
@@ -24,6 +21,6 @@ SPECBAKE_API BandStatistics bandStatistics(const std::string& spectral);
 
 /// The spectrum of the texel at (x, y), which counts as the file's windows do: the first texel is
 /// the data window's corner. Throws FileError, and ArgumentError for a place outside the window.
-SPECBAKE_API Spectrum spectrumAt(SpectralReader& reader, int x, int y);
+SPECBAKE_API std::vector<double> spectrumAt(SpectralReader& reader, int x, int y);
 
 }  // namespace specbake

@@ -2,9 +2,11 @@
 
 #include <specbake/core/adaptation.h>
 #include <specbake/core/api.h>
+#include <specbake/core/quadrature.h>
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -16,6 +18,7 @@ struct RelightOptions {
     std::string illuminant = "A";  ///< as an Observer takes it
     /// Further lights: a picture under each, side by side to the right of the first.
     std::vector<std::string> beside;
+    std::optional<Quadrature> quadrature;  ///< none: that of the file
     /// How the viewer's eye has adapted to the light: white looks white; none: it shows its tint.
     Adaptation adapt = Adaptation::bradford;
     double exposure = 0;                   ///< stops

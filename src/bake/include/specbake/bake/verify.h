@@ -2,6 +2,7 @@
 
 #include <specbake/core/adaptation.h>
 #include <specbake/core/api.h>
+#include <specbake/core/quadrature.h>
 #include <specbake/image/color_meaning.h>
 #include <specbake/image/texture_reader.h>
 
@@ -15,6 +16,7 @@ struct VerifyOptions {
     ColorWishes color;                      ///< none: what the spectral file says
     std::optional<std::string> illuminant;  ///< none: what the spectral file names
     std::optional<Adaptation> adapt;        ///< none: what the spectral file names
+    std::optional<Quadrature> quadrature;   ///< none: what the spectral file names
     int threads = 0;                        ///< 0: all cores
     ReadOptions read = {};                  ///< what is left open: as the spectral file was made
 };
@@ -41,7 +43,8 @@ struct Verification {
     double maxAlphaDifference = 0;
     std::size_t worstX = 0;  ///< the texel of maxDE2000, in the data window
     std::size_t worstY = 0;
-    std::string illuminant;  ///< under which was compared
+    std::string illuminant;                     ///< under which was compared
+    Quadrature quadrature = Quadrature::bands;  ///< by which
 
     static constexpr double kUsualLimit = 0.5;
 
@@ -51,9 +54,10 @@ struct Verification {
     [[nodiscard]] SPECBAKE_API bool passes(std::optional<double> maxDE = {}) const;
 };
 
-/// Reads the 81 bands back, integrates them under the file's illuminant and compares with the
-/// texture. Throws FileError if a file cannot be read, names a light, observer or rule that is not
-/// known, or the two have not the same size; ArgumentError for an unknown name in the options.
+/// Reads the bands back, integrates them under the file's illuminant by the file's quadrature and
+/// compares with the texture. Throws FileError if a file cannot be read, names a light, observer,
+/// quadrature or rule that is not known, or the two have not the same size; ArgumentError for an
+/// unknown name in the options.
 SPECBAKE_API Verification verify(const std::string& spectral, const std::string& texture,
                                  const VerifyOptions& options);
 

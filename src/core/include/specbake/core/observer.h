@@ -2,6 +2,7 @@
 
 #include <specbake/core/api.h>
 #include <specbake/core/color.h>
+#include <specbake/core/quadrature.h>
 #include <specbake/core/spectrum.h>
 #include <specbake/core/wavelengths.h>
 
@@ -18,30 +19,51 @@ namespace specbake {
 
 /// The CIE 1931 2-degree observer under one illuminant: the weights w_m of (1), the 81 products of
 /// colour-matching functions and illuminant, scaled so that the perfect reflector has Y = 1.
+///
+/// Made for the fine quadrature, its weights are those of (M21), for any bands: at most 81 of them
+/// are the first of a Spectrum, whose other values weigh nothing; more are linear between 81 knots,
+/// which are then what a Spectrum holds. They are multiples of kWeightUnit, so that what is decided
+/// about them can be decided in integers (generators.h).
 class SPECBAKE_API Observer {
   public:
     /// An illuminant of `illuminantNames()` or `furtherIlluminantNames()`, in any case, or a light
     /// of one's own (lightText()). Throws ArgumentError for another name, and says which one is
     /// near.
     explicit Observer(std::string_view illuminant);
+    /// Throws ArgumentError for another name, and for bands that the quadrature does not have.
+    Observer(std::string_view illuminant, Quadrature quadrature, const Wavelengths& bands);
 
     /// As the list of names has it, or the text of a light of one's own.
     const std::string& illuminant() const { return illuminant_; }
+    Quadrature quadrature() const { return quadrature_; }
+    /// The bands that a reader gets.
+    const Wavelengths& bands() const { return bands_; }
+    /// Where the first knots().count values of a Spectrum stand; the rest weigh nothing.
+    Wavelengths knots() const { return bands_.knots(); }
     /// Of the colour-matching functions.
-    std::string_view name() const { return "CIE 1931 2 degree, 5 nm"; }
+    std::string_view name() const {
+        return quadrature_ == Quadrature::bands ? "CIE 1931 2 degree, 5 nm"
+                                                : "CIE 1931 2 degree, 1 nm";
+    }
 
     /// w_m, the tristimulus of band m at reflectance 1.
     const std::array<Imath::V3d, kBandCount>& weights() const { return weights_; }
 
-    /// The perfect reflector, the 81-term sum W·1: not the textbook white.
+    /// The perfect reflector, the sum W·1: not the textbook white.
     const XYZ& white() const { return white_; }
 
     /// (1): the colour of a reflectance.
     XYZ color(const Spectrum& reflectance) const;
 
+    /// Of the weights of the fine quadrature. As weights are below 2, a determinant of three is
+    /// below 2^126 in this unit.
+    static constexpr double kWeightUnit = 0x1p-40;
+
   private:
     std::string illuminant_;
-    std::array<Imath::V3d, kBandCount> weights_;
+    Quadrature quadrature_ = Quadrature::bands;
+    Wavelengths bands_;
+    std::array<Imath::V3d, kBandCount> weights_{};
     XYZ white_;
 };
 

@@ -13,18 +13,19 @@ namespace specbake {
 /// Which samples of a texel are wanted, and in which order.
 class SPECBAKE_API SampleSelection {
   public:
-    /// All kTexelSamples: what a file holds.
-    static SampleSelection channels();
-    /// The kBandCount bands.
-    static SampleSelection bands();
-    /// Reflectance at these wavelengths, nm: linear between bands; below the first band and beyond
-    /// the last, theirs. Throws ArgumentError for what is not finite.
-    static SampleSelection at(std::span<const double> wavelengths);
+    /// What a file of these bands, the model's own, holds: the preview, and each band.
+    static SampleSelection channels(const Wavelengths& bands = {});
+    /// The bands.
+    static SampleSelection bands(const Wavelengths& bands = {});
+    /// Reflectance at these wavelengths, nm, of a model of those bands: linear between them; below
+    /// the first and beyond the last, theirs. Throws ArgumentError for what is not finite.
+    static SampleSelection at(std::span<const double> wavelengths, const Wavelengths& bands = {});
 
     std::size_t count() const { return taps_.size(); }
     /// Where they are whole samples that follow each other, the first of them.
     std::optional<std::size_t> run() const { return run_; }
-    bool isChannels() const { return run_ == 0U && count() == kTexelSamples; }
+    /// Whether they are whole samples from the first on, as those of a file are.
+    bool isChannels() const { return run_ == 0U && count() > kPreviewSamples; }
 
     /// The sample `first`, or between it and the next: (1 - fraction) and fraction of them.
     struct Tap {

@@ -13,6 +13,10 @@ using Spectrum = std::array<double, kBandCount>;
 /// The same value in every band.
 SPECBAKE_API Spectrum constantSpectrum(double value);
 
+/// The spectrum whose first knots.count values stand at the knots, at `nm`: linear between them,
+/// the ends repeated.
+SPECBAKE_API double valueAt(const Spectrum& spectrum, const Wavelengths& knots, double nm);
+
 /// (1 - weight) a + weight b. Stays within the bounds of a and b for weight in [0, 1].
 SPECBAKE_API Spectrum mix(const Spectrum& a, const Spectrum& b, double weight);
 

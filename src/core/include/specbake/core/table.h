@@ -8,8 +8,7 @@
 
 namespace specbake {
 
-/// How far a table's colours are from those asked for: CIEDE2000 under its light, colours being the
-/// sums over its bands (1).
+/// How far a table's colours are from those asked for: CIEDE2000 under its light.
 struct TableErrors {
     double mean = 0, p99 = 0, max = 0;
     std::size_t colors = 0;  ///< how many were drawn
@@ -22,6 +21,9 @@ struct SpectralTableFile {
     std::vector<std::byte> bytes;
     TableErrors everywhere;  ///< over the colours of the cube that a reflectance can have
     TableErrors atBoundary;  ///< over those of them whose cell the solid's boundary cuts
+    /// The errors for a reader of the other quadrature, over the same colours.
+    TableErrors everywhereOtherwise, atBoundaryOtherwise;
+    Quadrature quadrature = Quadrature::bands;  ///< of the first two
 };
 
 /// The upsampler's grid as a table of 16-bit samples. Nodes that the solid does not hold get values

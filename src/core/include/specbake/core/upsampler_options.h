@@ -4,6 +4,7 @@
 #include <specbake/core/api.h>
 #include <specbake/core/measured_sample.h>
 #include <specbake/core/outside.h>
+#include <specbake/core/quadrature.h>
 
 #include <optional>
 #include <string>
@@ -29,6 +30,10 @@ struct UpsamplerOptions {
     /// (without a grid exactly), about it nearly so, far from all samples the method's. Samples of
     /// one colour are averaged.
     std::vector<MeasuredSample> samples;
+    /// For which reader the colours are exact.
+    Quadrature quadrature = Quadrature::bands;
+    /// The bands of a spectrum; others than the usual 81 by the fine quadrature only.
+    Wavelengths bands = {};
     Outside outside = Outside::nearest;
     /// Nodes of the lookup grid along each axis; none: each colour is solved by itself.
     std::optional<int> grid = kDefaultGridNodes;

@@ -14,15 +14,16 @@
 /// Spectral Images", JCGT 10(3), 2021. docs/file-format.md has the whole of it.
 namespace specbake {
 
-/// The channel of a reflectance band: "T.380,000000nm" and so on. Decimal comma, six decimals.
-SPECBAKE_API std::string bandChannelName(int band);
+/// The channel of the reflectance at a wavelength, nm: "T.380,000000nm" and so on. Decimal comma,
+/// six decimals.
+SPECBAKE_API std::string bandChannelName(double nm);
 
 /// The wavelength, nm, of a reflectance channel's name; nothing for another channel.
 SPECBAKE_API std::optional<double> bandWavelength(std::string_view channelName);
 
 /// A file's channels in the order in which they are stored, the alphabet's: A (if any), then the
-/// samples of a texel (samples.h).
-SPECBAKE_API std::vector<std::string> channelNames(bool alpha);
+/// samples of a texel (samples.h). Wavelengths are from 100 to 999 nm.
+SPECBAKE_API std::vector<std::string> channelNames(bool alpha, const Wavelengths& bands = {});
 
 enum class Compression { none, zip, zips, piz };
 
@@ -71,6 +72,7 @@ struct SpectralHeader {
     float pixelAspectRatio = 1;
     bool alpha = false;
     Attributes attributes;
+    Wavelengths bands = {};  ///< that are written; a reader has its own list
 };
 
 }  // namespace specbake

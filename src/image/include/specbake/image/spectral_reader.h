@@ -1,7 +1,6 @@
 #pragma once
 
 #include <specbake/core/api.h>
-#include <specbake/core/spectrum.h>
 #include <specbake/image/spectral_layout.h>
 
 #include <memory>
@@ -24,17 +23,21 @@ struct StorageFacts {
     std::vector<std::pair<std::string, std::string>> attributes;  ///< each value as text
 };
 
-/// Reads a spectral EXR back through OpenImageIO, by rows. It accepts the bands of this project,
-/// 380 to 780 nm every 5 nm; channels of other names are passed over.
+/// Reads a spectral EXR back through OpenImageIO, by rows. It accepts bands of any wavelengths;
+/// channels of other names are passed over.
 class SPECBAKE_API SpectralReader {
   public:
-    /// Throws FileError if the file cannot be read or does not hold the 81 bands.
+    /// Throws FileError if the file cannot be read, has not two bands, or not all those that
+    /// specbake wrote.
     explicit SpectralReader(const std::string& path);
     ~SpectralReader();
 
     const SpectralHeader& header() const;
 
     StorageFacts facts() const;
+
+    /// Of its bands, nm, ascending.
+    const std::vector<double>& wavelengths() const;
 
     /// What its samples are stored as.
     TexelType storedType() const;
@@ -45,8 +48,8 @@ class SPECBAKE_API SpectralReader {
     /// A string attribute of the file, or an integer in decimal; or nothing.
     std::optional<std::string> text(const std::string& attribute) const;
 
-    /// Rows [first, first + count), counted from 0: for each texel its kBandCount samples, from
-    /// 380 nm up. `samples` holds count * width * kBandCount floats. Throws FileError.
+    /// Rows [first, first + count), counted from 0: for each texel the samples of its N bands, as
+    /// wavelengths() lists them. `samples` holds count * width * N floats. Throws FileError.
     /// `alpha`, unless empty, gets count * width floats where the header says that there is alpha.
     /// `preview`, unless empty, gets count * width times R, G, B where hasPreview().
     void readRows(int first, int count, std::span<float> samples, std::span<float> alpha = {},

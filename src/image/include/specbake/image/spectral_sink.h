@@ -16,14 +16,16 @@ namespace specbake {
 class SPECBAKE_API SpectralSink {
   public:
     /// `levels`: the image itself first.
-    SpectralSink(std::vector<ChunkGrid> levels, SampleType type, bool alpha);
+    /// `bands`: how many.
+    SpectralSink(std::vector<ChunkGrid> levels, SampleType type, bool alpha,
+                 int bands = kBandCount);
     virtual ~SpectralSink();
     SpectralSink(const SpectralSink&) = delete;
     SpectralSink& operator=(const SpectralSink&) = delete;
 
     SampleType sampleType() const { return type_; }
     bool alpha() const { return alpha_; }
-    int channelCount() const { return int(kTexelSamples) + (alpha_ ? 1 : 0); }
+    int channelCount() const { return int(kPreviewSamples) + bands_ + (alpha_ ? 1 : 0); }
     const std::vector<ChunkGrid>& levels() const { return levels_; }
     int chunkCount() const;  ///< of all levels
     const ChunkGrid& levelOf(int chunk) const;
@@ -45,6 +47,7 @@ class SPECBAKE_API SpectralSink {
     std::vector<ChunkGrid> levels_;
     SampleType type_;
     bool alpha_;
+    int bands_;
 };
 
 /// Hands over each row, from the top, as pack() takes it: no file, no compression.

@@ -1,0 +1,60 @@
+#include "reading.h"
+
+#include <specbake/core/error.h>
+#include <specbake/core/observer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace specbake::internal {
+namespace {
+
+/// As near as the six decimals of a channel's name tell.
+bool standAt(const std::vector<double>& wavelengths, const Wavelengths& bands) {
+    if (wavelengths.size() != std::size_t(bands.count)) return false;
+    for (int m = 0; m < bands.count; ++m) {
+        if (std::abs(wavelengths[std::size_t(m)] - bands.at(m)) > 1e-5) return false;
+    }
+    return true;
+}
+
+bool isUsual(const SpectralReader& spectral) {
+    return standAt(spectral.wavelengths(), Wavelengths());
+}
+
+}  // namespace
+
+Quadrature statedQuadrature(const std::string& path, const SpectralReader& spectral) {
+    const auto stated = spectral.text("specbake:quadrature");
+    if (!stated) return isUsual(spectral) ? Quadrature::bands : Quadrature::fine;
+    for (const Quadrature quadrature : kQuadratures) {
+        if (*stated == quadratureText(quadrature)) return quadrature;
+    }
+    throw FileError(path, "specbake:quadrature is '" + *stated + "', which is not known");
+}
+
+Wavelengths modelBands(const SpectralReader& spectral) {
+    const std::vector<double>& nm = spectral.wavelengths();
+    if (nm.size() < 2) return {};
+    const double step = (nm.back() - nm.front()) / double(nm.size() - 1);
+    // What six decimals leave open is settled by the nearest round number.
+    const Wavelengths bands{nm.front(), std::round(step * 1e6) / 1e6, int(nm.size())};
+    for (const Wavelengths& even : {bands, Wavelengths{nm.front(), step, int(nm.size())}}) {
+        if (standAt(nm, even) && wavelengthsProblem(even).empty()) return even;
+    }
+    return {};
+}
+
+std::vector<Imath::V3d> readerWeights(const std::string& path, const SpectralReader& spectral,
+                                      std::string_view illuminant, Quadrature quadrature) {
+    if (quadrature == Quadrature::fine) return fineWeights(illuminant, spectral.wavelengths());
+    if (!isUsual(spectral)) {
+        throw FileError(path,
+                        "the sum over the bands is that of 380 to 780 nm every 5 nm; these "
+                        "bands are read by the quadrature 'fine'");
+    }
+    const Observer observer(illuminant);
+    return {observer.weights().begin(), observer.weights().end()};
+}
+
+}  // namespace specbake::internal

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <specbake/core/quadrature.h>
+#include <specbake/image/spectral_reader.h>
+
+#include <Imath/ImathVec.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace specbake::internal {
+
+/// The quadrature for which a file says that its colours are exact. Of a file that says nothing:
+/// the sum over the bands if it has the usual 81, else the fine one. Throws FileError for another.
+Quadrature statedQuadrature(const std::string& path, const SpectralReader& spectral);
+
+/// A file's bands as those of a model: where they are evenly spaced and a model can have them, else
+/// the usual 81.
+Wavelengths modelBands(const SpectralReader& spectral);
+
+/// What each band of a file gives to a reader of that quadrature, under a light (quadrature.h).
+/// Throws FileError where the sum over the bands is asked of others than the usual 81,
+/// ArgumentError for an unknown light.
+std::vector<Imath::V3d> readerWeights(const std::string& path, const SpectralReader& spectral,
+                                      std::string_view illuminant, Quadrature quadrature);
+
+}  // namespace specbake::internal
