@@ -22,33 +22,56 @@ void addMeaning(const ColorMeaning& meaning, Attributes& all) {
     if (!meaning.curves) put(all, "specbake:transfer", transferName(space.transfer));
 }
 
+/// Whoever made the spectra.
+Attributes begun(const Attributes& texture) {
+    Attributes all = texture;
+    all["spectralLayoutVersion"] = "1.0";
+    all["Software"] = std::string("specbake ") + kVersion;
+    all["specbake:version"] = kVersion;
+    return all;
+}
+
+void addObserver(const ColorMeaning& meaning, const Observer& observer, Adaptation adapt,
+                 Attributes& all) {
+    put(all, "specbake:illuminant", observer.illuminant());
+    put(all, "specbake:observer", std::string(observer.name()));
+    addMeaning(meaning, all);
+    if (isAdapted(meaning.space, observer)) {
+        put(all, "specbake:adaptation", std::string(adaptationName(adapt)));
+    }
+    if (observer.quadrature() != Quadrature::bands) {
+        put(all, "specbake:quadrature", std::string(quadratureText(observer.quadrature())));
+    }
+    if (observer.bands() != Wavelengths()) {
+        put(all, "specbake:wavelengths", wavelengthsText(observer.bands()));
+    }
+}
+
 }  // namespace
 
 Attributes bakedAttributes(const Attributes& texture, const ColorMeaning& meaning,
                            const Upsampler& upsampler, std::optional<int> bits) {
     const UpsamplerOptions& model = upsampler.options();
-    Attributes all = texture;
-    all["spectralLayoutVersion"] = "1.0";
-    all["Software"] = std::string("specbake ") + kVersion;
-    all["specbake:version"] = kVersion;
+    Attributes all = begun(texture);
     all["specbake:method"] = model.method;
     if (model.material) all["specbake:material"] = *model.material;
     if (!model.samples.empty()) all["specbake:samples"] = upsampler.samplesIdentity();
     all["specbake:grid"] = model.grid.value_or(0);
     if (bits) all["specbake:bits"] = *bits;
-    all["specbake:illuminant"] = upsampler.observer().illuminant();
-    all["specbake:observer"] = std::string(upsampler.observer().name());
-    addMeaning(meaning, all);
-    if (isAdapted(meaning.space, upsampler.observer())) {
-        put(all, "specbake:adaptation", std::string(adaptationName(model.adapt)));
-    }
-    if (model.quadrature != Quadrature::bands) {
-        put(all, "specbake:quadrature", std::string(quadratureText(model.quadrature)));
-    }
-    if (model.bands != Wavelengths()) {
-        put(all, "specbake:wavelengths", wavelengthsText(model.bands));
-    }
+    addObserver(meaning, upsampler.observer(), model.adapt, all);
     all["specbake:outside"] = std::string(outsideName(model.outside));
+    return all;
+}
+
+Attributes tabulatedAttributes(const Attributes& texture, const ColorMeaning& meaning,
+                               const TableFile& table, const Observer& observer, Adaptation adapt,
+                               std::optional<int> bits) {
+    Attributes all = begun(texture);
+    put(all, "specbake:table", std::filesystem::path(table.name()).filename().string());
+    put(all, "specbake:method", table.fact("method").value_or(""));
+    all["specbake:grid"] = int(table.view().header().nodes);
+    if (bits) all["specbake:bits"] = *bits;
+    addObserver(meaning, observer, adapt, all);
     return all;
 }
 

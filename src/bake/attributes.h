@@ -4,6 +4,7 @@
 #include <specbake/core/upsampler.h>
 #include <specbake/image/color_meaning.h>
 #include <specbake/image/image_types.h>
+#include <specbake/image/table_file.h>
 
 #include <filesystem>
 #include <optional>
@@ -16,6 +17,11 @@ namespace specbake::internal {
 /// `bits`: of the mantissa of half samples; none for floats.
 Attributes bakedAttributes(const Attributes& texture, const ColorMeaning& meaning,
                            const Upsampler& upsampler, std::optional<int> bits);
+
+/// The same of spectra that are looked up in a table.
+Attributes tabulatedAttributes(const Attributes& texture, const ColorMeaning& meaning,
+                               const TableFile& table, const Observer& observer, Adaptation adapt,
+                               std::optional<int> bits);
 
 /// The materials of a map, and its file's name.
 void addMaterials(Attributes& attributes, const std::vector<std::string>& materials,

@@ -13,7 +13,7 @@ REC709 = ((0.64, 0.33), (0.30, 0.60), (0.15, 0.06))
 def _table(name):
     lines = [line for line in (DATA / name).read_text().splitlines() if not line.startswith("#")]
     names = lines[0].split(",")
-    columns = numpy.array([[float(v) for v in line.split(",")] for line in lines[1:]]).T
+    columns = numpy.array([[float(v or "nan") for v in line.split(",")] for line in lines[1:]]).T
     return dict(zip(names, columns))
 
 
@@ -23,6 +23,32 @@ def weights(illuminant):
     light = _table("illuminants_5nm.csv")[illuminant]
     w = numpy.stack([observer[c] * light for c in ("xbar", "ybar", "zbar")], axis=1)
     return w / w[:, 1].sum()
+
+
+def power_every_nm(illuminant):
+    """From 360 to 830 nm: Planck's law for A, for the others linear between the 5 nm of the tables,
+    which go on as they end."""
+    nm = numpy.arange(360, 831)
+    if illuminant == "A":
+        return nm**-5.0 / numpy.expm1(1.435e7 / (2848 * nm))
+    middle, ends = _table("illuminants_5nm.csv"), _table("illuminants_ends.csv")
+    at, power = middle["lambda_nm"], middle[illuminant]
+    if illuminant in ends:
+        known = ~numpy.isnan(ends[illuminant])
+        at = numpy.concatenate([at, ends["lambda_nm"][known]])
+        power = numpy.concatenate([power, ends[illuminant][known]])
+    order = numpy.argsort(at)
+    return numpy.interp(nm, at[order], power[order])
+
+
+def fine_weights(illuminant, wavelengths):
+    """N x 3: the same for who integrates every 1 nm from 360 to 830, linear between N bands."""
+    observer = _table("cie1931_2deg_1nm.csv")
+    lit = numpy.stack([observer[c] for c in ("xbar", "ybar", "zbar")], axis=1)
+    lit = lit * power_every_nm(illuminant)[:, None]
+    of_band = [numpy.interp(observer["lambda_nm"], wavelengths, one)
+               for one in numpy.eye(len(wavelengths))]
+    return numpy.array(of_band) @ lit / lit[:, 1].sum()
 
 
 def rgb_to_xyz(white, primaries=REC709):

@@ -21,14 +21,14 @@ namespace {
 /// small one.
 constexpr int kPiece = 64;
 
-const BakeOptions& checked(const BakeOptions& options) {
+const BakeOptions& checked(const BakeOptions& options, bool isTabulated) {
+    if (isTabulated && (options.maxDE || options.maxDeviation)) {
+        throw ArgumentError("a table leaves nothing to choose by a difference or deviation");
+    }
     std::string reason;
     if (!options.isValid(&reason)) throw ArgumentError(reason);
     if (options.materialMap || options.second) {
         throw ArgumentError("an image on demand takes no images beside its texture");
-    }
-    if (options.model.bands != Wavelengths()) {
-        throw ArgumentError("an image on demand has the usual bands, 380 to 780 nm every 5 nm");
     }
     return options;
 }
@@ -52,11 +52,13 @@ struct Planes {
     BlockChannels channels;
     std::vector<std::size_t> of;  ///< of each channel that is asked for
 
-    Planes(std::span<const int> asked, bool alpha) {
+    /// `bands`: how many there are.
+    Planes(std::span<const int> asked, bool alpha, int bands) {
         channels.alpha = alpha;
         const int first = alpha ? 1 : 0;
+        const auto all = kPreviewSamples + std::size_t(bands);
         for (const int channel : asked) {
-            if (channel < 0 || channel >= first + int(kTexelSamples)) {
+            if (channel < 0 || channel >= first + int(all)) {
                 throw ArgumentError("a channel that there is not");
             }
             if (channel >= first) channels.samples.push_back(std::size_t(channel - first));
@@ -65,7 +67,7 @@ struct Planes {
         std::sort(samples.begin(), samples.end());
         samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
         if (!samples.empty() && samples.front() < kPreviewSamples) {  // a preview is of all bands
-            samples.resize(kTexelSamples);
+            samples.resize(all);
             std::iota(samples.begin(), samples.end(), std::size_t(0));
         }
         for (const int channel : asked) {
@@ -81,21 +83,26 @@ struct Planes {
 
 struct BakedImage::Implementation {
     Implementation(std::unique_ptr<Texture> itsTexture, const BakeOptions& itsOptions,
-                   const BakedImageMemory& memory)
-        : options(checked(itsOptions)),
+                   std::shared_ptr<const TableFile> itsTable, const BakedImageMemory& memory)
+        : options(checked(itsOptions, itsTable != nullptr)),
+          table(std::move(itsTable)),
           texture(std::move(itsTexture)),
           info(texture->info()),
           meaning(chosenMeaning(info, options.color, unused)),
           decoder(info, meaning),
           source{*texture, decoder, options.threads, options.stop},
-          upsampler(decidedModel()),
-          bits(decidedBits()),
-          header{info.data, info.display, info.pixelAspectRatio, info.alpha.has_value(),
-                 bakedAttributes(info.attributes, meaning, *upsampler,
-                                 half() ? std::optional(bits) : std::nullopt)},
+          upsampler(table ? nullptr : decidedModel()),
+          spectra(table ? spectraOf(table) : spectraOf(upsampler)),
+          bits(table ? options.bits : decidedBits()),
+          header{info.data,
+                 info.display,
+                 info.pixelAspectRatio,
+                 info.alpha.has_value(),
+                 attributes(),
+                 table ? table->bands() : upsampler->options().bands},
           levels(chunkGrids(info.data.width, info.data.height, options.storage)),
           rows(*texture, memory.texture),
-          blocks(rows, info, decoder, *upsampler, levels, memory.levels) {}
+          blocks(rows, info, decoder, *spectra, levels, memory.levels) {}
 
     bool half() const { return options.storage.sampleType == SampleType::half; }
 
@@ -107,6 +114,27 @@ struct BakedImage::Implementation {
                 chooseGrid(source, meaning.space, model, *options.maxDeviation, *models).nodes;
         }
         return models->model(meaning.space, model);
+    }
+
+    static std::unique_ptr<Spectra> spectraOf(std::shared_ptr<const TableFile> table) {
+        return std::make_unique<TableSpectra>(std::move(table));
+    }
+    static std::unique_ptr<Spectra> spectraOf(std::shared_ptr<const Upsampler> model) {
+        return std::make_unique<ModelSpectra>(std::move(model));
+    }
+
+    Attributes attributes() const {
+        Attributes all = spectraAttributes();
+        addChosen(all, options);
+        return all;
+    }
+
+    Attributes spectraAttributes() const {
+        const auto kept = half() ? std::optional(bits) : std::nullopt;
+        if (!table) return bakedAttributes(info.attributes, meaning, *upsampler, kept);
+        const Observer observer = observerOf(*table);
+        const Adaptation adapt = adaptationOf(*table, observer, meaning.space);
+        return tabulatedAttributes(info.attributes, meaning, *table, observer, adapt, kept);
     }
 
     int decidedBits() const {
@@ -155,13 +183,15 @@ struct BakedImage::Implementation {
     }
 
     BakeOptions options;
+    std::shared_ptr<const TableFile> table;
     std::unique_ptr<Texture> texture;
     const TextureInfo& info;
     std::vector<std::string> unused;
     ColorMeaning meaning;
     TexelDecoder decoder;
     TexelSource source;
-    std::shared_ptr<const Upsampler> upsampler;
+    std::shared_ptr<const Upsampler> upsampler;  ///< none with a table
+    std::unique_ptr<Spectra> spectra;
     int bits;
     SpectralHeader header;
     std::vector<ChunkGrid> levels;
@@ -171,7 +201,11 @@ struct BakedImage::Implementation {
 
 BakedImage::BakedImage(std::unique_ptr<Texture> texture, const BakeOptions& options,
                        const BakedImageMemory& memory)
-    : implementation_(std::make_unique<Implementation>(std::move(texture), options, memory)) {}
+    : BakedImage(std::move(texture), options, nullptr, memory) {}
+BakedImage::BakedImage(std::unique_ptr<Texture> texture, const BakeOptions& options,
+                       std::shared_ptr<const TableFile> table, const BakedImageMemory& memory)
+    : implementation_(std::make_unique<Implementation>(std::move(texture), options,
+                                                       std::move(table), memory)) {}
 BakedImage::~BakedImage() = default;
 
 const SpectralHeader& BakedImage::header() const {
@@ -190,7 +224,7 @@ void BakedImage::readChunk(int chunk, std::span<const int> channels,
                            std::span<std::byte> samples) const {
     const ChunkGrid& level = implementation_->levelOf(chunk);
     const Window whole = level.texels(chunk);
-    const Planes planes(channels, header().alpha);
+    const Planes planes(channels, header().alpha, header().bands.count);
     const std::size_t needed = std::size_t(whole.width) * std::size_t(whole.height) *
                                channels.size() * bytesPerSample(sampleType());
     if (samples.size() < needed) throw ArgumentError("a buffer too small for its chunk");

@@ -14,7 +14,7 @@ namespace specbake::internal {
 /// The channels of unrounded texels: alpha first if there is any, then samples of spectra.
 struct BlockChannels {
     bool alpha = false;
-    std::vector<std::size_t> samples;  ///< all kTexelSamples, or the numbers of bands
+    std::vector<std::size_t> samples;  ///< numbers in SampleSelection::channels()
     std::size_t count() const { return samples.size() + (alpha ? 1 : 0); }
 };
 

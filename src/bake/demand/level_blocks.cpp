@@ -17,25 +17,15 @@ Window common(const Window& a, const Window& b) {
             std::min(a.y + a.height, b.y + b.height) - y};
 }
 
-/// All samples, or some bands.
-SampleSelection selectionOf(const BlockChannels& channels) {
-    if (channels.samples.size() == kTexelSamples) return SampleSelection::channels();
-    std::vector<double> nm;
-    for (const std::size_t sample : channels.samples) {
-        nm.push_back(wavelength(int(sample - kPreviewSamples)));
-    }
-    return SampleSelection::at(nm);
-}
-
 }  // namespace
 
 LevelBlocks::LevelBlocks(StoredRows& rows, const TextureInfo& info, const TexelDecoder& decoder,
-                         const Upsampler& upsampler, const std::vector<ChunkGrid>& levels,
+                         const Spectra& spectra, const std::vector<ChunkGrid>& levels,
                          std::size_t bytes)
     : rows_(rows),
       info_(info),
       decoder_(decoder),
-      upsampler_(upsampler),
+      spectra_(spectra),
       levels_(levels),
       cache_(bytes) {}
 
@@ -45,31 +35,27 @@ Block LevelBlocks::texels(int level, const Window& at, const BlockChannels& chan
 
 Block LevelBlocks::sampled(const Window& at, const BlockChannels& channels) {
     Block block(at, channels.count());
-    const SampleSelection wanted = selectionOf(channels);
     for (int y = 0; y < at.height; ++y) {
         const Window row{at.x, at.y + y, at.width, 1};
         const auto band = rows_.bandOf(row.y);
-        sampleRow(row, rows_.rowIn(*band, row.y), channels, wanted, block.rows[std::size_t(y)]);
+        sampleRow(row, rows_.rowIn(*band, row.y), channels, block.rows[std::size_t(y)]);
     }
     return block;
 }
 
 /// `at`: a row of texels, of the texture's row that `stored` is.
 void LevelBlocks::sampleRow(const Window& at, std::span<const std::byte> stored,
-                            const BlockChannels& channels, const SampleSelection& wanted,
-                            TexelRow& row) {
-    Buffers& buffers = buffers_.local();
+                            const BlockChannels& channels, TexelRow& row) {
+    std::vector<Upsampler::Color>& colors = colors_.local();
     const auto count = std::size_t(at.width);
     const std::size_t texel = stored.size() / std::size_t(info_.data.width);
-    buffers.colors.resize(count);
-    decoder_.decode(stored.subspan(texel * std::size_t(at.x), texel * count), count,
-                    buffers.colors.data(), channels.alpha ? row.data() : nullptr);
+    colors.resize(count);
+    decoder_.decode(stored.subspan(texel * std::size_t(at.x), texel * count), count, colors.data(),
+                    channels.alpha ? row.data() : nullptr);
     if (channels.samples.empty()) return;
     float* planes = row.data() + (channels.alpha ? count : 0);
-    const auto target = SampleTarget::planar(
-        SampleType::float32, reinterpret_cast<std::byte*>(planes), count * sizeof(float));
     ColorCensus census;
-    census.add(upsampler_.sample(buffers.colors, wanted, target, buffers.upsampling),
+    census.add(spectra_.sample(colors, channels.samples, planes),
                std::size_t(at.y) * std::size_t(info_.data.width) + std::size_t(at.x));
     refuseIncomplete(info_, census);
 }

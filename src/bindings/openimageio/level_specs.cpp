@@ -32,9 +32,9 @@ void addAttribute(OIIO::ImageSpec& spec, const std::string& name, const std::vec
     spec.attribute(name, Type(Type::FLOAT, aggregate, Type::NOSEMANTICS, length), value.data());
 }
 
-OIIO::ImageSpec firstSpec(const BakedImage& image, bool mipmap) {
+OIIO::ImageSpec firstSpec(const BakedImage& image) {
     const SpectralHeader& header = image.header();
-    const std::vector<std::string> names = channelNames(header.alpha);
+    const std::vector<std::string> names = channelNames(header.alpha, header.bands);
     const bool half = image.sampleType() == SampleType::half;
     OIIO::ImageSpec spec(header.data.width, header.data.height, int(names.size()),
                          half ? OIIO::TypeHalf : OIIO::TypeFloat);
@@ -48,7 +48,7 @@ OIIO::ImageSpec firstSpec(const BakedImage& image, bool mipmap) {
     spec.tile_height = image.levels().front().chunkHeight;
     spec.tile_depth = 1;
     spec.channelnames.clear();
-    for (const int channel : readersOrder(header.alpha)) {
+    for (const int channel : readersOrder(header.alpha, header.bands.count)) {
         spec.channelnames.push_back(names[std::size_t(channel)]);
     }
     spec.alpha_channel = header.alpha ? 3 : -1;
@@ -58,24 +58,23 @@ OIIO::ImageSpec firstSpec(const BakedImage& image, bool mipmap) {
     spec.attribute("PixelAspectRatio", header.pixelAspectRatio);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("oiio:subimages", 1);
-    if (mipmap) spec.attribute("textureformat", "Plain Texture");
     return spec;
 }
 
 }  // namespace
 
-std::vector<int> readersOrder(bool alpha) {
+std::vector<int> readersOrder(bool alpha, int bands) {
     const int first = alpha ? 1 : 0;  // B, G, R and the bands come behind A
     std::vector<int> order = {first + 2, first + 1, first};
     if (alpha) order.push_back(0);
-    for (int band = 0; band < kBandCount; ++band) {
+    for (int band = 0; band < bands; ++band) {
         order.push_back(first + int(kPreviewSamples) + band);
     }
     return order;
 }
 
-std::vector<OIIO::ImageSpec> levelSpecs(const BakedImage& image, bool mipmap) {
-    std::vector<OIIO::ImageSpec> specs = {firstSpec(image, mipmap)};
+std::vector<OIIO::ImageSpec> levelSpecs(const BakedImage& image) {
+    std::vector<OIIO::ImageSpec> specs = {firstSpec(image)};
     for (std::size_t i = 1; i < image.levels().size(); ++i) {
         OIIO::ImageSpec spec = specs.back();
         spec.width = image.levels()[i].width;

@@ -1,6 +1,8 @@
 #include "recipe.h"
 
 #include <specbake/core/error.h>
+#include <specbake/image/measured_file.h>
+#include <specbake/image/texture_reader.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <utility>
 
 namespace specbake::openimageio {
 namespace {
@@ -61,6 +64,18 @@ void setSampleType(BakeOptions& options, std::string_view value) {
     options.storage.sampleType = *type;
 }
 
+void setQuadrature(Recipe& recipe, std::string_view value) {
+    const std::optional<Quadrature> quadrature = quadratureFromName(value);
+    if (!quadrature) refuse(value, "bands or fine");
+    recipe.options.model.quadrature = *quadrature;
+    recipe.quadratureGiven = true;
+}
+
+void setWavelengths(Recipe& recipe, std::string_view value) {
+    recipe.options.model.bands = parseWavelengths(std::string(value));
+    if (!recipe.quadratureGiven) recipe.options.model.quadrature = Quadrature::fine;
+}
+
 /// "64 64"
 void setTile(BakeOptions& options, std::string_view value) {
     const std::size_t blank = value.find(' ');
@@ -72,6 +87,7 @@ void setTile(BakeOptions& options, std::string_view value) {
 struct Option {
     std::string_view name;
     void (*set)(Recipe& recipe, std::string_view value);
+    bool isOfModel = false;  ///< for which a table leaves no room
 };
 
 constexpr Option kOptions[] = {
@@ -83,20 +99,25 @@ constexpr Option kOptions[] = {
     {"space", [](Recipe& r, std::string_view v) { r.options.color.space = v; }},
     {"transfer", [](Recipe& r, std::string_view v) { r.options.color.transfer = v; }},
     {"primaries", [](Recipe& r, std::string_view v) { r.options.color.primaries = v; }},
-    {"illuminant", [](Recipe& r, std::string_view v) { r.options.model.illuminant = v; }},
-    {"adapt", [](Recipe& r, std::string_view v) { setAdaptation(r.options, v); }},
-    {"method", [](Recipe& r, std::string_view v) { r.options.model.method = v; }},
-    {"outside", [](Recipe& r, std::string_view v) { setOutside(r.options, v); }},
-    {"material", [](Recipe& r, std::string_view v) { r.options.model.material = v; }},
-    {"grid", [](Recipe& r, std::string_view v) { r.options.model.grid = numberOf<int>(v); }},
+    {"illuminant", [](Recipe& r, std::string_view v) { r.options.model.illuminant = v; }, true},
+    {"adapt", [](Recipe& r, std::string_view v) { setAdaptation(r.options, v); }, true},
+    {"method", [](Recipe& r, std::string_view v) { r.options.model.method = v; }, true},
+    {"outside", [](Recipe& r, std::string_view v) { setOutside(r.options, v); }, true},
+    {"material", [](Recipe& r, std::string_view v) { r.options.model.material = v; }, true},
+    {"samples", [](Recipe& r, std::string_view v) { r.samples = v; }, true},
+    {"quadrature", setQuadrature, true},
+    {"wavelengths", setWavelengths, true},
+    {"table", [](Recipe& r, std::string_view v) { r.table = v; }},
+    {"grid", [](Recipe& r, std::string_view v) { r.options.model.grid = numberOf<int>(v); }, true},
     {"per-texel",
      [](Recipe& r, std::string_view v) {
          if (yesOrNo(v)) r.options.model.grid = std::nullopt;
-     }},
+     },
+     true},
     {"max-deviation",
-     [](Recipe& r, std::string_view v) { r.options.maxDeviation = numberOf<double>(v); }},
+     [](Recipe& r, std::string_view v) { r.options.maxDeviation = numberOf<double>(v); }, true},
     {"bits", [](Recipe& r, std::string_view v) { r.options.bits = numberOf<int>(v); }},
-    {"max-de", [](Recipe& r, std::string_view v) { r.options.maxDE = numberOf<double>(v); }},
+    {"max-de", [](Recipe& r, std::string_view v) { r.options.maxDE = numberOf<double>(v); }, true},
     {"data-type", [](Recipe& r, std::string_view v) { setSampleType(r.options, v); }},
     {"tile", [](Recipe& r, std::string_view v) { setTile(r.options, v); }},
     {"mipmap", [](Recipe& r, std::string_view v) { r.options.storage.mipmap = yesOrNo(v); }},
@@ -141,6 +162,11 @@ void readText(Recipe& recipe, const std::string& path) {
     }
 }
 
+/// A file's name, told from the folder of another.
+std::string besides(const std::string& path, const std::string& name) {
+    return (fs::path(path).parent_path() / name).string();
+}
+
 bool isRecipe(const std::string& path) {
     return path.size() > kEnding.size() && path.ends_with(kEnding);
 }
@@ -154,6 +180,7 @@ void setOption(Recipe& recipe, std::string_view name, std::string_view value) {
         throw ArgumentError("no option '" + std::string(name) + "'; there are " + optionNames());
     }
     option->set(recipe, value);
+    if (option->isOfModel) recipe.modelOption = name;
 }
 
 void forEachOption(const std::function<void(std::string_view)>& take) {
@@ -175,13 +202,33 @@ Recipe recipeOf(const std::string& path) {
     if (recipe.source.empty()) {
         recipe.source = path.substr(0, path.size() - kEnding.size());
     } else {
-        recipe.source = (fs::path(path).parent_path() / recipe.source).string();
+        recipe.source = besides(path, recipe.source);
+    }
+    for (std::string* file : {&recipe.samples, &recipe.table}) {
+        if (!file->empty()) *file = besides(path, *file);
     }
     if (isRecipe(recipe.source)) throw FileError(path, "its source is a .spectral file itself");
     if (!fs::is_regular_file(recipe.source, error)) {
         throw FileError(path, "its source " + recipe.source + " is no file");
     }
     return recipe;
+}
+
+std::unique_ptr<const BakedImage> imageOf(const Recipe& recipe,
+                                          std::shared_ptr<ModelCache> models) {
+    BakeOptions options = recipe.options;
+    options.models = std::move(models);
+    if (!options.storage.isTiled()) options.storage.tile = TileSize{};
+    if (!recipe.samples.empty()) options.model.samples = readMeasuredFile(recipe.samples).samples;
+    auto texture = std::make_unique<TextureReader>(recipe.source, options.read);
+    if (recipe.table.empty()) return std::make_unique<BakedImage>(std::move(texture), options);
+    if (!recipe.modelOption.empty()) {
+        throw ArgumentError("a table has its own spectra, and leaves no room for '" +
+                            recipe.modelOption + "'");
+    }
+    return std::make_unique<BakedImage>(
+        std::move(texture), options,
+        std::make_shared<const TableFile>(TableFile::read(recipe.table)));
 }
 
 }  // namespace specbake::openimageio

@@ -3,10 +3,10 @@
 #include "level_specs.h"
 #include "recipe.h"
 
-#include <specbake/image/texture_reader.h>
-
 #include <algorithm>
 #include <cstring>
+#include <memory>
+#include <mutex>
 #include <numeric>
 #include <span>
 
@@ -20,6 +20,16 @@ void applyHints(Recipe& recipe, const OIIO::ImageSpec& config) {
         const auto* hint = config.find_attribute(kHints + std::string(name));
         if (hint != nullptr && name != "source") setOption(recipe, name, hint->get_string());
     });
+}
+
+/// What is solved for one image serves the others of the same options, as long as any is open.
+std::shared_ptr<ModelCache> sharedModels() {
+    static std::mutex mutex;
+    static std::weak_ptr<ModelCache> models;
+    const std::lock_guard lock(mutex);
+    auto shared = models.lock();
+    if (!shared) models = shared = std::make_shared<ModelCache>();
+    return shared;
 }
 
 /// A tile's rows to where they belong in a region, as far as they lie in it.
@@ -60,11 +70,9 @@ bool SpectralInput::open(const std::string& name, OIIO::ImageSpec& spec,
     try {
         Recipe recipe = recipeOf(name);
         applyHints(recipe, config);
-        if (!recipe.options.storage.isTiled()) recipe.options.storage.tile = TileSize{};
-        image_ = std::make_unique<const BakedImage>(
-            std::make_unique<TextureReader>(recipe.source, recipe.options.read), recipe.options);
-        specs_ = levelSpecs(*image_, recipe.options.storage.mipmap);
-        channels_ = readersOrder(image_->header().alpha);
+        image_ = imageOf(recipe, sharedModels());
+        specs_ = levelSpecs(*image_);
+        channels_ = readersOrder(image_->header().alpha, image_->header().bands.count);
     } catch (const std::exception& error) {
         close();
         errorfmt("{}", error.what());

@@ -5,15 +5,35 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 namespace specbake::python {
 
-/// How colours become spectra, of the words that Python has for it. Throws ArgumentError.
-/// `method`: none for the default.
-/// `samples`: a file of measured reflectances (measured_file.h), whose FileError goes on.
-UpsamplerOptions modelOptions(const std::optional<std::string>& light,
-                              const std::optional<std::string>& method, const std::string& outside,
-                              std::optional<int> grid, const std::optional<std::string>& material,
-                              const std::optional<std::filesystem::path>& samples);
+/// "400:700:10", or the wavelengths themselves, nm.
+using WavelengthWords = std::variant<std::string, std::vector<double>>;
+
+/// How colours become spectra, in the words that Python has for it.
+struct ModelWords {
+    std::optional<std::string> light;
+    std::string adapt;
+    std::optional<std::string> method;  ///< none: the default
+    std::string outside;
+    std::optional<int> grid;
+    std::optional<std::string> material;
+    std::optional<std::filesystem::path> samples;  ///< measured reflectances (measured_file.h)
+    std::optional<std::string> quadrature;         ///< none: fine with wavelengths, else bands
+    std::optional<WavelengthWords> wavelengths;
+};
+
+/// Throws ArgumentError; the FileError of the samples goes on.
+UpsamplerOptions modelOptions(const ModelWords& words);
+
+/// Throw ArgumentError for a name that there is not.
+Adaptation adaptationNamed(const std::string& name);
+Quadrature quadratureNamed(const std::string& name);
+
+/// The wavelengths, evenly spaced. Throws ArgumentError for others.
+Wavelengths wavelengthsOf(const WavelengthWords& words);
 
 }  // namespace specbake::python

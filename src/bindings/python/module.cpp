@@ -15,13 +15,6 @@ namespace py = pybind11;
 namespace specbake::python {
 namespace {
 
-py::array_t<double> bandWavelengths() {
-    py::array_t<double> nm(kBandCount);
-    for (int band = 0; band < kBandCount; ++band) nm.mutable_at(band) = wavelength(band);
-    nm.attr("flags").attr("writeable") = false;
-    return nm;
-}
-
 void addNames(py::module_& module) {
     py::tuple spaces(colorSpaces().size());
     for (std::size_t i = 0; i < colorSpaces().size(); ++i) spaces[i] = colorSpaces()[i].name;
@@ -33,11 +26,19 @@ void addNames(py::module_& module) {
     py::tuple materials(materialNames().size());
     for (std::size_t i = 0; i < materialNames().size(); ++i) materials[i] = materialNames()[i];
     module.attr("MATERIALS") = materials;
-    module.attr("WAVELENGTHS") = bandWavelengths();
+    module.attr("WAVELENGTHS") = bandWavelengths({});
     module.attr("__version__") = kVersion;
 }
 
 }  // namespace
+
+py::array_t<double> bandWavelengths(const Wavelengths& bands) {
+    py::array_t<double> nm(bands.count);
+    for (int band = 0; band < bands.count; ++band) nm.mutable_at(band) = bands.at(band);
+    nm.attr("flags").attr("writeable") = false;
+    return nm;
+}
+
 }  // namespace specbake::python
 
 PYBIND11_MODULE(_specbake, module) {

@@ -1,19 +1,31 @@
 #include "bindings.h"
+#include "model_options.h"
 
 #include <specbake/core/observer.h>
 
-#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 namespace py = pybind11;
 
 namespace specbake::python {
 namespace {
 
+Observer made(const std::string& light, const std::optional<std::string>& quadrature,
+              const std::optional<WavelengthWords>& wavelengths) {
+    const Quadrature usual = wavelengths ? Quadrature::fine : Quadrature::bands;
+    return Observer(light, quadrature ? quadratureNamed(*quadrature) : usual,
+                    wavelengths ? wavelengthsOf(*wavelengths) : Wavelengths());
+}
+
+/// Of the bands that a reader gets, which may be more than the knots between which they are linear.
 py::array_t<double> weights(const Observer& observer) {
-    py::array_t<double> values({py::ssize_t(kBandCount), py::ssize_t(3)});
+    const Wavelengths& bands = observer.bands();
+    std::vector<Imath::V3d> ofBands(observer.weights().begin(), observer.weights().end());
+    if (bands.knots() != bands) ofBands = fineWeights(observer.illuminant(), listed(bands));
+    py::array_t<double> values({py::ssize_t(bands.count), py::ssize_t(3)});
     auto at = values.mutable_unchecked<2>();
-    for (py::ssize_t band = 0; band < kBandCount; ++band) {
-        for (int c = 0; c < 3; ++c) at(band, c) = observer.weights()[std::size_t(band)][c];
+    for (py::ssize_t band = 0; band < bands.count; ++band) {
+        for (int c = 0; c < 3; ++c) at(band, c) = ofBands[std::size_t(band)][c];
     }
     return values;
 }
@@ -29,14 +41,28 @@ py::array_t<double> white(const Observer& observer) {
 void addObserver(py::module_& module) {
     py::class_<Observer>(module, "Observer", R"(
 The CIE 1931 2-degree observer under a light: spectra (..., 81) @ weights are colours (..., 3).)")
-        .def(py::init<std::string_view>(), py::arg("light") = "D65",
-             "light: one of LIGHTS. Raises ArgumentError.")
+        .def(py::init(&made), py::arg("light") = "D65", py::kw_only(),
+             py::arg("quadrature") = py::none(), py::arg("wavelengths") = py::none(), R"(
+light: one of LIGHTS.
+quadrature: 'bands', the sum over the 81 bands by the 5 nm table; 'fine', the integral every 1 nm
+  from 360 to 830, linear between bands, folded into the weights; None: 'fine' with wavelengths,
+  else 'bands'.
+wavelengths: of the bands, evenly spaced: an array in nm, or '400:700:10'.
+
+Raises ArgumentError.)")
         .def_property_readonly(
             "light", [](const Observer& o) { return o.illuminant(); }, "The light's name.")
         .def_property_readonly("name", &Observer::name, "Of the colour-matching functions.")
+        .def_property_readonly(
+            "quadrature",
+            [](const Observer& o) { return std::string(quadratureName(o.quadrature())); },
+            "'bands' or 'fine'.")
+        .def_property_readonly(
+            "wavelengths", [](const Observer& o) { return bandWavelengths(o.bands()); },
+            "(N,) float64: of the bands, nm.")
         .def_property_readonly("weights", &weights, R"(
-(81, 3): X, Y, Z of each band at reflectance 1, the products of colour-matching functions and light,
-scaled so that the perfect reflector has Y = 1.)")
+(81, 3), or (N, 3) for N wavelengths: X, Y, Z of each band at reflectance 1, the products of
+colour-matching functions and light, scaled so that the perfect reflector has Y = 1.)")
         .def_property_readonly("white", &white,
                                "(3,): X, Y, Z of the perfect reflector, the sum of the weights.")
         .def("__repr__", [](const Observer& o) {

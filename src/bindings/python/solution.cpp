@@ -13,38 +13,49 @@ py::array_t<double> vector(const Imath::V3d& v) {
     return values;
 }
 
+py::array_t<double> reflectance(const SolvedColor& s) {
+    py::array_t<double> values(s.bands.count);
+    for (int band = 0; band < s.bands.count; ++band) {
+        values.mutable_at(band) =
+            valueAt(s.answer.solution.spectrum, s.bands.knots(), s.bands.at(band));
+    }
+    return values;
+}
+
 }  // namespace
 
 void addSolution(py::module_& module) {
-    using A = ColorAnswer;
-    py::class_<A>(module, "Solution", "One colour's spectrum, and how it was found.")
+    using S = SolvedColor;
+    py::class_<S>(module, "Solution", "One colour's spectrum, and how it was found.")
+        .def_property_readonly("reflectance", &reflectance,
+                               "(81,) float64 in [0, 1], at the model's wavelengths.")
         .def_property_readonly(
-            "reflectance",
-            [](const A& a) { return py::array_t<double>(kBandCount, a.solution.spectrum.data()); },
-            "(81,) float64 in [0, 1], at WAVELENGTHS.")
-        .def_property_readonly(
-            "status", [](const A& a) { return statusName(a.solution.report.status); },
+            "status", [](const S& s) { return statusName(s.answer.solution.report.status); },
             "'solved'; 'outside' where outside='error' refused it; or 'failed'.")
         .def_property_readonly(
-            "asked", [](const A& a) { return vector(a.asked); }, "(3,): X, Y, Z asked for.")
+            "asked", [](const S& s) { return vector(s.answer.asked); }, "(3,): X, Y, Z asked for.")
         .def_property_readonly(
-            "given", [](const A& a) { return vector(a.given); },
+            "given", [](const S& s) { return vector(s.answer.given); },
             "(3,): X, Y, Z that the spectrum has.")
-        .def_readonly("gauge", &A::gauge,
-                      "Of the colour asked for: at most 1 where a reflectance can have it.")
-        .def_readonly("outside", &A::outside, "Whether another colour than was asked for is given.")
-        .def_readonly("delta_e", &A::difference,
-                      "CIEDE2000 from the colour asked for to that given.")
         .def_property_readonly(
-            "residual", [](const A& a) { return a.solution.report.residual; },
+            "gauge", [](const S& s) { return s.answer.gauge; },
+            "Of the colour asked for: at most 1 where a reflectance can have it.")
+        .def_property_readonly(
+            "outside", [](const S& s) { return s.answer.outside; },
+            "Whether another colour than was asked for is given.")
+        .def_property_readonly(
+            "delta_e", [](const S& s) { return s.answer.difference; },
+            "CIEDE2000 from the colour asked for to that given.")
+        .def_property_readonly(
+            "residual", [](const S& s) { return s.answer.solution.report.residual; },
             "max |W s - t| over X, Y, Z.")
         .def_property_readonly(
-            "iterations", [](const A& a) { return a.solution.report.iterations; },
+            "iterations", [](const S& s) { return s.answer.solution.report.iterations; },
             "Newton steps, or path segments.")
-        .def("__repr__", [](const A& a) {
-            const auto status = statusName(a.solution.report.status);
+        .def("__repr__", [](const S& s) {
+            const auto status = statusName(s.answer.solution.report.status);
             return "<specbake.Solution: " + std::string(status) + ", gauge " +
-                   std::to_string(a.gauge) + ">";
+                   std::to_string(s.answer.gauge) + ">";
         });
 }
 

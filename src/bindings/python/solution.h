@@ -6,7 +6,13 @@
 
 namespace specbake::python {
 
-/// The class Solution: what Upsampler.solve() answers.
+/// What Upsampler.solve() answers, of a model of these bands.
+struct SolvedColor {
+    ColorAnswer answer;
+    Wavelengths bands;
+};
+
+/// The class Solution, which is a SolvedColor.
 void addSolution(pybind11::module_& module);
 
 }  // namespace specbake::python

@@ -1,5 +1,3 @@
-#include "table.h"
-
 #include "arrays.h"
 #include "bindings.h"
 #include "color_array.h"
@@ -7,56 +5,26 @@
 
 #include <specbake/core/error.h>
 #include <specbake/image/output_file.h>
+#include <specbake/image/table_file.h>
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <memory>
 
 namespace py = pybind11;
 
 namespace specbake::python {
 namespace {
 
-const char* reasonOf(SpectralTable::Status status) {
-    switch (status) {
-        case SpectralTable::Status::ok:
-            return "";
-        case SpectralTable::Status::truncated:
-            return "it ends too early";
-        case SpectralTable::Status::notATable:
-            return "no table of spectra";
-        case SpectralTable::Status::otherVersion:
-            return "a table of another version";
-        case SpectralTable::Status::badSizes:
-            return "its sizes contradict each other";
-        case SpectralTable::Status::bigEndianHost:
-            break;
-    }
-    return "tables are read by little-endian machines only";
-}
-
-/// More than the largest table: hostile files may be of any size.
-constexpr std::uintmax_t kMostBytes = std::uintmax_t(8) << 30;
-
-std::unique_ptr<Table> load(const std::filesystem::path& path) {
+std::unique_ptr<TableFile> load(const std::filesystem::path& path) {
     const py::gil_scoped_release released;
-    std::error_code missing;
-    const std::uintmax_t size = std::filesystem::file_size(path, missing);
-    if (missing) throw FileError(path.string(), missing.message());
-    if (size > kMostBytes) throw FileError(path.string(), "larger than any table");
-    std::vector<std::byte> bytes(size);
-    std::ifstream stream(path, std::ios::binary);
-    stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size));
-    if (!stream) throw FileError(path.string(), "cannot be read whole");
-    auto table = std::make_unique<Table>(path.string(), std::move(bytes));
-    if (!table->view().intact()) throw FileError(path.string(), "its checksum does not agree");
-    return table;
+    return std::make_unique<TableFile>(TableFile::read(path));
 }
 
-void save(const Table& table, const std::filesystem::path& path) {
+void save(const TableFile& table, const std::filesystem::path& path) {
     const py::gil_scoped_release released;
     OutputFile file(path);
     std::ofstream stream(file.temporaryPath(), std::ios::binary);
@@ -67,35 +35,19 @@ void save(const Table& table, const std::filesystem::path& path) {
     file.commit();
 }
 
-py::array_t<double> wavelengths(const Table& table) {
-    const SpectralTableHeader& h = table.view().header();
-    py::array_t<double> nm(py::ssize_t(h.bands));
-    for (std::uint32_t band = 0; band < h.bands; ++band) {
-        nm.mutable_at(py::ssize_t(band)) =
-            double(h.firstWavelength) + band * double(h.wavelengthStep);
-    }
-    return nm;
-}
-
-py::dict facts(const Table& table) {
+py::dict facts(const TableFile& table) {
     py::dict all;
-    std::istringstream lines(
-        std::string(table.view().text(), std::size_t(table.view().header().textBytes)));
-    for (std::string line; std::getline(lines, line);) {
-        const std::size_t equal = line.find('=');
-        if (equal == std::string::npos) continue;
-        all[py::str(line.substr(0, equal))] = line.substr(equal + 1);
-    }
+    for (const auto& [name, value] : table.facts()) all[py::str(name)] = value;
     return all;
 }
 
-py::dict errors(const Table& table) {
+py::dict errors(const TableFile& table) {
     const SpectralTableHeader& h = table.view().header();
     return py::dict(py::arg("mean") = h.meanError, py::arg("p99") = h.p99Error,
                     py::arg("max") = h.maxError);
 }
 
-py::array spectra(const Table& table, const py::object& asked,
+py::array spectra(const TableFile& table, const py::object& asked,
                   const std::optional<std::vector<float>>& wavelengths, int threads) {
     const SpectralTable& view = table.view();
     const ColorArray colors(asked, colorSpaceNamed("lin_rec709"));  // any linear space
@@ -124,13 +76,8 @@ py::array spectra(const Table& table, const py::object& asked,
 
 }  // namespace
 
-Table::Table(const std::string& name, std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {
-    const SpectralTable::Status status = view_.view(bytes_.data(), bytes_.size());
-    if (status != SpectralTable::Status::ok) throw FileError(name, reasonOf(status));
-}
-
 void addTable(py::module_& module) {
-    py::class_<Table>(module, "Table", R"(
+    py::class_<TableFile>(module, "Table", R"(
 Spectra over the unit cube of a linear RGB space, as renderers look them up (docs/table-format.md).
 Made by Upsampler.table() or by load().)")
         .def_static("load", &load, py::arg("path"),
@@ -139,24 +86,26 @@ Made by Upsampler.table() or by load().)")
              "Writes the file, NAME.spectab, whole or not at all. Raises FileError.")
         .def("spectra", &spectra, py::arg("colors"), py::kw_only(),
              py::arg("wavelengths") = py::none(), py::arg("threads") = 0, R"(
-What a renderer gets, by specbake/sampler.h: reflectances (..., 81) float32 of linear RGB (..., 3),
+What a renderer gets, by specbake/sampler.h: reflectances (..., N) float32 of linear RGB (..., 3),
 components beyond [0, 1] counting as 0 or 1, NaN as 0; or (..., n) at n wavelengths in nm.)")
-        .def_property_readonly("wavelengths", &wavelengths, "(81,) float64, nm.")
         .def_property_readonly(
-            "nodes", [](const Table& t) { return t.view().header().nodes; },
+            "wavelengths", [](const TableFile& t) { return bandWavelengths(t.bands()); },
+            "(N,) float64: of the bands, nm.")
+        .def_property_readonly(
+            "nodes", [](const TableFile& t) { return t.view().header().nodes; },
             "Nodes along each axis.")
         .def_property_readonly("errors", &errors, R"(
 {'mean', 'p99', 'max'}: CIEDE2000 between colours asked for and those of the 81 bands, over the
 colours of the cube that a reflectance can have.)")
         .def_property_readonly("facts", &facts, "What the file says of itself, as text.")
         .def_property_readonly(
-            "nbytes", [](const Table& t) { return t.bytes().size(); }, "Of the file.")
+            "nbytes", [](const TableFile& t) { return t.bytes().size(); }, "Of the file.")
         .def("__bytes__",
-             [](const Table& t) {
+             [](const TableFile& t) {
                  return py::bytes(reinterpret_cast<const char*>(t.bytes().data()),
                                   t.bytes().size());
              })
-        .def("__repr__", [](const Table& t) {
+        .def("__repr__", [](const TableFile& t) {
             return "<specbake.Table: " + std::to_string(t.view().header().nodes) +
                    " nodes an axis, " + std::to_string(t.bytes().size()) + " bytes>";
         });

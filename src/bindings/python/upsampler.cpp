@@ -4,10 +4,10 @@
 #include "model_options.h"
 #include "runs.h"
 #include "solution.h"
-#include "table.h"
 
 #include <specbake/core/error.h>
 #include <specbake/core/table.h>
+#include <specbake/image/table_file.h>
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -26,9 +26,12 @@ namespace {
 Upsampler made(const std::string& space, const std::optional<std::string>& light,
                const std::optional<std::string>& method, const std::string& outside,
                std::optional<int> grid, const std::optional<std::string>& material,
-               const std::optional<std::filesystem::path>& samples) {
+               const std::optional<std::filesystem::path>& samples, const std::string& adapt,
+               const std::optional<std::string>& quadrature,
+               const std::optional<WavelengthWords>& wavelengths) {
     return Upsampler(colorSpaceNamed(space),
-                     modelOptions(light, method, outside, grid, material, samples));
+                     modelOptions({light, adapt, method, outside, grid, material, samples,
+                                   quadrature, wavelengths}));
 }
 
 enum class Invalid { raise, nan };
@@ -105,8 +108,10 @@ py::array spectra(const Upsampler& model, const py::object& asked,
                   const std::optional<std::vector<double>>& wavelengths, const py::object& dtype,
                   const py::object& out, const std::string& invalid, int threads) {
     const ColorArray colors(asked, model.space());
+    const Wavelengths& bands = model.options().bands;
     const Sampling sampling{
-        model, wavelengths ? SampleSelection::at(*wavelengths) : SampleSelection::bands(),
+        model,
+        wavelengths ? SampleSelection::at(*wavelengths, bands) : SampleSelection::bands(bands),
         sampleTypeOf(dtype), invalidRule(invalid)};
     Shape shape = colors.shape();
     shape.push_back(py::ssize_t(sampling.wanted.count()));
@@ -144,7 +149,7 @@ XYZ askedColor(const Upsampler& model, const std::vector<double>& color) {
     return model.xyz(linear);
 }
 
-ColorAnswer solve(const Upsampler& model, const std::optional<std::vector<double>>& color,
+SolvedColor solve(const Upsampler& model, const std::optional<std::vector<double>>& color,
                   const std::optional<std::array<double, 3>>& xyz) {
     if (color.has_value() == xyz.has_value()) {
         throw ArgumentError("solve takes a colour of the space, or xyz=");
@@ -154,13 +159,13 @@ ColorAnswer solve(const Upsampler& model, const std::optional<std::vector<double
         throw ArgumentError("a colour of finite numbers is wanted");
     }
     const py::gil_scoped_release released;
-    return model.solve(asked);
+    return {model.solve(asked), model.options().bands};
 }
 
-std::unique_ptr<Table> table(const Upsampler& model) {
+std::unique_ptr<TableFile> table(const Upsampler& model) {
     SpectralTableFile file;
     runInterruptibly([&](const Watch&) { file = spectralTable(model); });
-    return std::make_unique<Table>("table", std::move(file.bytes));
+    return std::make_unique<TableFile>("table", std::move(file.bytes));
 }
 
 }  // namespace
@@ -171,8 +176,9 @@ void addUpsampler(py::module_& module) {
     py::class_<Upsampler>(module, "Upsampler", R"(
 A model: colours of one space to reflectance spectra under one light.
 
-Each spectrum has exactly the colour under the light, by the sum over the 81 bands; it stays within
-[0, 1], and is continuous in the colour. Any number of threads may share a model.
+Each spectrum has exactly the colour under the light, by the sum over the 81 bands or by the fine
+quadrature; it stays within [0, 1], and is continuous in the colour. Any number of threads may share
+a model.
 
 Colours are arrays (..., 3) of what a texture in the space stores: encoded components for 'srgb',
 linear ones for 'lin_rec709', 'acescg' and so on, X, Y, Z (perfect reflector: Y = 1) for 'xyz'.
@@ -181,7 +187,9 @@ uint8 and uint16 are shares of 255 and 65535; all else counts as it is, in singl
              py::arg("light") = py::none(), py::arg("method") = py::none(),
              py::arg("outside") = std::string(outsideName(defaults.outside)),
              py::arg("grid") = defaults.grid, py::arg("material") = defaults.material,
-             py::arg("samples") = py::none(), R"(
+             py::arg("samples") = py::none(),
+             py::arg("adapt") = std::string(adaptationName(defaults.adapt)),
+             py::arg("quadrature") = py::none(), py::arg("wavelengths") = py::none(), R"(
 space: one of SPACES.
 light: one of LIGHTS, under which the colours hold; None: the space's own white.
 method: one of METHODS; None: 'natural'.
@@ -189,12 +197,19 @@ outside: what a colour gets that no reflectance has: 'nearest', 'scale' or 'erro
 grid: nodes along each axis of the lookup, 2 to 129; None: each colour is solved by itself.
 material: one of MATERIALS: near the colours of its samples, spectra are that material's.
 samples: a file of measured reflectances, which spectra are at and near the samples' colours.
+adapt: how colours are adapted to a light that is not the space's white: 'bradford', 'cat16' or
+  'none'.
+quadrature: the reader for whom colours are exact: 'bands', one who sums the 81 bands, or 'fine',
+  one who integrates every 1 nm from 360 to 830, linear between bands, as renderers do; None: 'fine'
+  with wavelengths, else 'bands'.
+wavelengths: of the bands, evenly spaced within 360 to 830 nm: an array, or '400:700:10'.
 
 Raises ArgumentError, FileError.)")
         .def("spectra", &spectra, py::arg("colors"), py::kw_only(),
              py::arg("wavelengths") = py::none(), py::arg("dtype") = "float32",
              py::arg("out") = py::none(), py::arg("invalid") = "raise", py::arg("threads") = 0, R"(
-Reflectances (..., 81) of colours (..., 3), at WAVELENGTHS: 380 to 780 nm every 5 nm.
+Reflectances (..., 81) of colours (..., 3), at the model's wavelengths: 380 to 780 nm every 5 nm,
+unless it was made with others.
 
 wavelengths: reflectances at these instead, in nm, linear between bands: (..., n).
 dtype: 'float32' or 'float16'.
@@ -232,6 +247,13 @@ grid, and for 'xyz'.)")
         .def_property_readonly(
             "observer", [](const Upsampler& u) { return u.observer(); },
             "The Observer under the model's light.")
+        .def_property_readonly(
+            "quadrature",
+            [](const Upsampler& u) { return std::string(quadratureName(u.options().quadrature)); },
+            "The reader for whom colours are exact: 'bands' or 'fine'.")
+        .def_property_readonly(
+            "wavelengths", [](const Upsampler& u) { return bandWavelengths(u.options().bands); },
+            "(N,) float64: of the bands, nm.")
         .def_property_readonly("notes", &Upsampler::notes,
                                "What is to be told of the samples, a line each.")
         .def_property_readonly("identity", &Upsampler::identity,

@@ -88,7 +88,7 @@ void writeReflectances(const std::vector<Row>& rows, std::ostream& out) {
 
 void writeFineTable(const std::vector<Row>& cmf, std::ostream& out) {
     if (cmf.size() != 472) throw std::runtime_error("360 to 830 nm every 1 nm expected");
-    out << "const std::array<std::array<double, 3>, kFineRows> fineColorMatching = {{\n";
+    out << "const std::array<std::array<double, 3>, kFineRows> kFineColorMatching = {{\n";
     for (std::size_t i = 1; i < cmf.size(); ++i) {
         out << "    {" << cmf[i].at(1) << ", " << cmf[i].at(2) << ", " << cmf[i].at(3) << "},\n";
     }
@@ -99,7 +99,7 @@ void writeFineTable(const std::vector<Row>& cmf, std::ostream& out) {
 void writeEnds(const std::vector<Row>& light, std::ostream& out) {
     if (light.size() != 15) throw std::runtime_error("a heading and 14 rows of ends expected");
     const auto value = [](const std::string& cell) { return cell.empty() ? "NAN" : cell; };
-    out << "const std::vector<IlluminantEnds> illuminantEnds = {\n";
+    out << "const std::vector<IlluminantEnds> kIlluminantEnds = {\n";
     for (std::size_t column = 1; column < light[0].size(); ++column) {
         out << "    {\"" << light[0][column] << "\", {";
         for (std::size_t i = 1; i < light.size(); ++i) {

@@ -54,7 +54,7 @@ std::array<double, 95> internal::tables::finePower(std::string_view light) {
     std::fill_n(all.begin(), 4, middle.front());
     std::copy(middle.begin(), middle.end(), all.begin() + 4);
     std::fill(all.begin() + 85, all.end(), middle.back());
-    for (const auto& ends : tables::illuminantEnds) {
+    for (const auto& ends : tables::kIlluminantEnds) {
         if (ends.name != named.name) continue;
         for (std::size_t i = 0; i < 14; ++i) {
             const double power = i < 4 ? ends.below[i] : ends.above[i - 4];

@@ -83,7 +83,7 @@ std::vector<Imath::V3d> fineWeights(std::string_view illuminant,
     std::vector<Imath::V3d> weights(wavelengths.size(), Imath::V3d(0.0));
     double luminance = 0;
     for (int nm = kFinestFirst; nm <= kFinestLast; ++nm) {
-        const auto& [x, y, z] = tables::fineColorMatching[std::size_t(nm - kFinestFirst)];
+        const auto& [x, y, z] = tables::kFineColorMatching[std::size_t(nm - kFinestFirst)];
         const Imath::V3d lit =
             Imath::V3d(x, y, z) * (isA ? powerOfA(nm) : tabulatedPower(table, nm));
         const auto [first, ofNext] = shareAt(wavelengths, nm);

@@ -25,7 +25,7 @@ extern const std::vector<IlluminantTable> illuminants;
 
 /// x̄, ȳ, z̄ from 360 to 830 nm, a row a nm.
 inline constexpr std::size_t kFineRows = 471;
-extern const std::array<std::array<double, 3>, kFineRows> fineColorMatching;
+extern const std::array<std::array<double, 3>, kFineRows> kFineColorMatching;
 
 /// The power of an illuminant before 380 nm and beyond 780 nm, every 5 nm, NaN where there is none.
 struct IlluminantEnds {
@@ -33,7 +33,7 @@ struct IlluminantEnds {
     std::array<double, 4> below;   ///< 360 to 375 nm
     std::array<double, 10> above;  ///< 785 to 830 nm
 };
-extern const std::vector<IlluminantEnds> illuminantEnds;
+extern const std::vector<IlluminantEnds> kIlluminantEnds;
 
 /// 360 to 830 nm every 5 nm; what the CIE does not give repeats the nearest.
 /// Throws ArgumentError for a name that `illuminants` has not.

@@ -51,6 +51,15 @@ SampleSelection SampleSelection::bands(const Wavelengths& bands) {
     return at(listed(bands), bands);
 }
 
+SampleSelection SampleSelection::some(std::span<const std::size_t> numbers,
+                                      const Wavelengths& bands) {
+    const SampleSelection all = channels(bands);
+    std::vector<Tap> taps;
+    taps.reserve(numbers.size());
+    for (const std::size_t number : numbers) taps.push_back(all.taps_.at(number));
+    return SampleSelection(std::move(taps));
+}
+
 SampleSelection SampleSelection::at(std::span<const double> wavelengths, const Wavelengths& bands) {
     std::vector<Tap> taps;
     taps.reserve(wavelengths.size());

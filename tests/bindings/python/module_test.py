@@ -197,9 +197,57 @@ class Spectra(unittest.TestCase):
             with self.assertRaises(error):
                 specbake.Upsampler(**wrong)
 
+    def test_the_fine_quadrature_and_other_wavelengths(self):
+        colors = random_colors(20_000)
+        nm_of = {"380:780:5": np.arange(380, 781, 5), "400:700:10": np.arange(400, 701, 10),
+                 "360:830:2.5": np.linspace(360, 830, 189)}
+        for text, nm in nm_of.items():
+            weights = color.fine_weights("D65", nm)
+            white = weights.sum(axis=0)
+            wanted = colors.astype(np.float64) @ color.rgb_to_xyz(white).T
+            for asked in (text, nm, list(nm)):
+                model = specbake.Upsampler("lin_rec709", wavelengths=asked)
+                self.assertEqual(model.quadrature, "fine")
+                np.testing.assert_allclose(model.wavelengths, nm, rtol=0, atol=1e-9)
+                spectra = model.spectra(colors)
+                self.assertEqual(spectra.shape, (20_000, len(nm)))
+                # Between knots a value is one more sum of two products.
+                self.assertLess(np.abs(spectra @ weights - wanted).max(), 1.5 * SUM_TOLERANCE, text)
+            # Rounded to multiples of 2^-40, each of N weights.
+            np.testing.assert_allclose(model.observer.weights, weights, atol=2.0**-41 + 1e-14)
+            np.testing.assert_allclose(
+                specbake.Observer("D65", wavelengths=nm).white, white, atol=len(nm) * 2.0**-41)
+            solution = model.solve([0.8, 0.3, 0.1])
+            self.assertEqual(solution.reflectance.shape, nm.shape)
+            self.assertLess(np.abs(solution.reflectance @ weights -
+                                   color.rgb_to_xyz(white) @ [0.8, 0.3, 0.1]).max(), 2e-10)
+        for light in specbake.LIGHTS:
+            weights = color.fine_weights(light, specbake.WAVELENGTHS)
+            observer = specbake.Observer(light, quadrature="fine")
+            np.testing.assert_allclose(observer.weights, weights, atol=2.0**-41 + 1e-14)
+        usual = specbake.Upsampler("lin_rec709", wavelengths="380:780:5", quadrature="fine")
+        nm = [390, 412.5, 800]
+        wanted = [np.interp(nm, usual.wavelengths, s) for s in usual.spectra(colors[:50])]
+        np.testing.assert_allclose(usual.spectra(colors[:50], wavelengths=nm), wanted,
+                                   atol=8 * 2.0**-24)
+
+    def test_adaptation(self):
+        light = specbake.Observer("A")
+        for adapt in ("bradford", "none"):
+            model = specbake.Upsampler("lin_rec709", light="A", adapt=adapt)
+            wanted = color.rgb_to_xyz(light.white)
+            if adapt == "bradford":
+                white = color.weights("D65").sum(axis=0)
+                wanted = color.bradford(white, light.white).T @ REC709
+            np.testing.assert_allclose(model.xyz(np.eye(3, dtype=np.float32)), wanted.T, atol=1e-9)
+
     def test_wrong_arguments(self):
         for wrong in [dict(space="nowhere"), dict(light="sun"), dict(method="guess"),
-                      dict(outside="far"), dict(grid=1), dict(grid=1000)]:
+                      dict(outside="far"), dict(grid=1), dict(grid=1000), dict(adapt="eye"),
+                      dict(quadrature="coarse"), dict(wavelengths="400:700"),
+                      dict(wavelengths=[400, 410, 430, 440]), dict(wavelengths=[500]),
+                      dict(wavelengths=[]), dict(wavelengths=[400, np.nan, 500, 600]),
+                      dict(wavelengths="400:700:10", quadrature="bands")]:
             with self.assertRaises(specbake.ArgumentError) as raised:
                 specbake.Upsampler(**wrong)
             self.assertIsInstance(raised.exception, (ValueError, specbake.Error))
@@ -231,6 +279,30 @@ class Files(unittest.TestCase):
                      "32", "16", "--mipmap", "-d", "float", "--illuminant", "D50", "--space", "srgb")
         self.assertEqual(self.path("module.exr").read_bytes(),
                          self.path("program.exr").read_bytes())
+
+    def test_a_bake_of_other_wavelengths_is_verified_and_relit_by_numpy(self):
+        nm = np.arange(400, 701, 10)
+        specbake.bake(IMAGES / "rgb8.png", self.path("a.exr"), wavelengths=nm, dtype="float32",
+                      compression="none")
+        self.program("bake", "-q", IMAGES / "rgb8.png", "-o", self.path("b.exr"), "-d", "float",
+                     "--wavelengths", "400:700:10", "--compression", "none")
+        self.assertEqual(self.path("a.exr").read_bytes(), self.path("b.exr").read_bytes())
+        samples, _ = exr.read(self.path("a.exr"))
+        spectra = np.stack([samples[f"T.{n},000000nm"] for n in nm], axis=-1)
+        image = specbake.read_spectral(self.path("a.exr"))
+        np.testing.assert_array_equal(image.spectra, spectra)
+        np.testing.assert_array_equal(image.wavelengths, nm)
+        right = specbake.verify(self.path("a.exr"), IMAGES / "rgb8.png")
+        self.assertTrue(right.passes())
+        self.assertEqual(right.quadrature, "fine")
+        specbake.relight(self.path("a.exr"), self.path("lit.exr"), light="F11", adapt=False)
+        import OpenImageIO
+        got = OpenImageIO.ImageBuf(str(self.path("lit.exr"))).get_pixels(OpenImageIO.FLOAT)[..., :3]
+        weights = color.fine_weights("F11", nm)
+        daylight = color.fine_weights("D65", nm).sum(axis=0)
+        rgb = np.linalg.inv(color.rgb_to_xyz(daylight))
+        wanted = spectra @ weights @ rgb.T / (rgb @ weights.sum(axis=0)).max()
+        np.testing.assert_allclose(got, wanted, rtol=2.0**-11, atol=1e-5)
 
     def test_an_image_in_an_array_is_baked_as_the_model_says(self):
         rng = np.random.default_rng(4)

@@ -19,11 +19,21 @@ class FileError(Error, OSError): ...
 class Cancelled(Error): ...
 
 class Observer:
-    def __init__(self, light: str = "D65") -> None: ...
+    def __init__(
+        self,
+        light: str = "D65",
+        *,
+        quadrature: Literal["bands", "fine"] | None = None,
+        wavelengths: str | Sequence[float] | NDArray[Any] | None = None,
+    ) -> None: ...
     @property
     def light(self) -> str: ...
     @property
     def name(self) -> str: ...
+    @property
+    def quadrature(self) -> Literal["bands", "fine"]: ...
+    @property
+    def wavelengths(self) -> NDArray[np.float64]: ...
     @property
     def weights(self) -> NDArray[np.float64]: ...
     @property
@@ -83,6 +93,9 @@ class Upsampler:
         grid: int | None = 17,
         material: str | None = None,
         samples: str | PathLike[str] | None = None,
+        adapt: Literal["bradford", "cat16", "none"] = "bradford",
+        quadrature: Literal["bands", "fine"] | None = None,
+        wavelengths: str | Sequence[float] | NDArray[Any] | None = None,
     ) -> None: ...
     def spectra(
         self,
@@ -114,6 +127,10 @@ class Upsampler:
     def grid(self) -> int | None: ...
     @property
     def observer(self) -> Observer: ...
+    @property
+    def quadrature(self) -> Literal["bands", "fine"]: ...
+    @property
+    def wavelengths(self) -> NDArray[np.float64]: ...
     @property
     def identity(self) -> str: ...
     @property
@@ -166,6 +183,8 @@ class Verification:
     def outside_solid(self) -> int: ...
     @property
     def light(self) -> str: ...
+    @property
+    def quadrature(self) -> Literal["bands", "fine"]: ...
     def passes(self, max_de: float | None = None) -> bool: ...
 
 class SpectralImage:
@@ -212,6 +231,9 @@ def bake(
     orient: bool = False,
     threads: int = 0,
     progress: Callable[[float], object] | None = None,
+    adapt: Literal["bradford", "cat16", "none"] = "bradford",
+    quadrature: Literal["bands", "fine"] | None = None,
+    wavelengths: str | Sequence[float] | NDArray[Any] | None = None,
 ) -> BakeStatistics: ...
 def relight(
     spectral: str | PathLike[str],
@@ -222,6 +244,7 @@ def relight(
     exposure: float = 0.0,
     threads: int = 0,
     progress: Callable[[float], object] | None = None,
+    quadrature: Literal["bands", "fine"] | None = None,
 ) -> None: ...
 def verify(
     spectral: str | PathLike[str],
@@ -233,6 +256,7 @@ def verify(
     part: str | int | None = None,
     orient: bool = False,
     threads: int = 0,
+    quadrature: Literal["bands", "fine"] | None = None,
 ) -> Verification: ...
 def read_spectral(
     path: str | PathLike[str], *, rows: tuple[int, int] | None = None

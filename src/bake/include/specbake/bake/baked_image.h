@@ -3,6 +3,7 @@
 #include <specbake/bake/bake.h>
 #include <specbake/core/api.h>
 #include <specbake/image/chunk_grid.h>
+#include <specbake/image/table_file.h>
 #include <specbake/image/texture.h>
 
 #include <cstddef>
@@ -27,6 +28,11 @@ class SPECBAKE_API BakedImage {
     /// Throws what bake() throws before its first row, and ArgumentError for a material map.
     BakedImage(std::unique_ptr<Texture> texture, const BakeOptions& options,
                const BakedImageMemory& memory = {});
+    /// The image with the spectra that a renderer looks up in the table, whatever the options say
+    /// of a model. Throws FileError for a table of other colours than the texture's, and
+    /// ArgumentError for maxDE and maxDeviation.
+    BakedImage(std::unique_ptr<Texture> texture, const BakeOptions& options,
+               std::shared_ptr<const TableFile> table, const BakedImageMemory& memory = {});
     ~BakedImage();
     BakedImage(const BakedImage&) = delete;
     BakedImage& operator=(const BakedImage&) = delete;
@@ -36,7 +42,8 @@ class SPECBAKE_API BakedImage {
     /// How the file would be cut: the image itself first, then its mip levels, if it has any.
     const std::vector<ChunkGrid>& levels() const;
 
-    /// A chunk's samples of some channels, numbers in channelNames(header().alpha): row by row,
+    /// A chunk's samples of some channels, numbers in channelNames(header().alpha, header().bands):
+    /// row by row,
     /// within a row texel by texel, channels interleaved in the order in which they are asked for.
     /// Throws ArgumentError for a chunk or channel that there is not, or too small a room;
     /// FileError where the texture cannot be read, or has a texel without a spectrum there.

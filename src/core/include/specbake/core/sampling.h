@@ -17,6 +17,9 @@ class SPECBAKE_API SampleSelection {
     static SampleSelection channels(const Wavelengths& bands = {});
     /// The bands.
     static SampleSelection bands(const Wavelengths& bands = {});
+    /// Some of channels(), by their numbers there.
+    static SampleSelection some(std::span<const std::size_t> numbers,
+                                const Wavelengths& bands = {});
     /// Reflectance at these wavelengths, nm, of a model of those bands: linear between them; below
     /// the first and beyond the last, theirs. Throws ArgumentError for what is not finite.
     static SampleSelection at(std::span<const double> wavelengths, const Wavelengths& bands = {});
