@@ -58,11 +58,11 @@ Verification writeReport(const std::string& spectral, const std::string& texture
     SampledTexels texels(Blocks(window.width, window.height, options.side),
                          reader.wavelengths().size());
     std::optional<ReportColors> colors;
-    const Verification verified = verifyObserved(
-        spectral, texture, options.verify, [&](const ComparedRows& rows, const Upsampler& model) {
-            if (!colors) colors.emplace(model, spectral, reader);
-            texels.take(rows);
-        });
+    Verification verified = verifyObserved(spectral, texture, options.verify,
+                                           [&](const ComparedRows& rows, const Upsampler& model) {
+                                               if (!colors) colors.emplace(model, spectral, reader);
+                                               texels.take(rows);
+                                           });
     PageContent content{fileName(spectral), fileName(texture), window, texels, *colors,
                         verified,           options.facts};
     for (const auto& attribute : reader.facts().attributes) content.facts.push_back(attribute);

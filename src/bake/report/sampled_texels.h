@@ -27,7 +27,7 @@ struct Blocks {
 struct DifferenceHistogram {
     static constexpr int kFrom = -6;
     static constexpr int kPerDecade = 4;
-    std::array<std::size_t, 8 * kPerDecade> counts{};
+    std::array<std::size_t, std::size_t(8) * kPerDecade> counts{};
 
     void add(double difference);
 };
