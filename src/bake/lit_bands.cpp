@@ -10,16 +10,6 @@
 
 namespace specbake::internal {
 
-namespace {
-
-XYZ whiteOf(const std::vector<Imath::V3d>& weights) {
-    XYZ white;
-    for (const Imath::V3d& w : weights) white += w;
-    return white;
-}
-
-}  // namespace
-
 LitBands litBands(const std::string& path, const SpectralReader& reader,
                   const RelightOptions& options) {
     const Quadrature quadrature =

@@ -27,9 +27,7 @@ bool isUsual(const SpectralReader& spectral) {
 Quadrature statedQuadrature(const std::string& path, const SpectralReader& spectral) {
     const auto stated = spectral.text("specbake:quadrature");
     if (!stated) return isUsual(spectral) ? Quadrature::bands : Quadrature::fine;
-    for (const Quadrature quadrature : kQuadratures) {
-        if (*stated == quadratureText(quadrature)) return quadrature;
-    }
+    if (const auto quadrature = quadratureFromText(*stated)) return *quadrature;
     throw FileError(path, "specbake:quadrature is '" + *stated + "', which is not known");
 }
 
@@ -43,6 +41,12 @@ Wavelengths modelBands(const SpectralReader& spectral) {
         if (standAt(nm, even) && wavelengthsProblem(even).empty()) return even;
     }
     return {};
+}
+
+XYZ whiteOf(const std::vector<Imath::V3d>& weights) {
+    XYZ white;
+    for (const Imath::V3d& w : weights) white += w;
+    return white;
 }
 
 std::vector<Imath::V3d> readerWeights(const std::string& path, const SpectralReader& spectral,

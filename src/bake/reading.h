@@ -1,5 +1,6 @@
 #pragma once
 
+#include <specbake/core/color.h>
 #include <specbake/core/quadrature.h>
 #include <specbake/image/spectral_reader.h>
 
@@ -25,5 +26,8 @@ Wavelengths modelBands(const SpectralReader& spectral);
 /// ArgumentError for an unknown light.
 std::vector<Imath::V3d> readerWeights(const std::string& path, const SpectralReader& spectral,
                                       std::string_view illuminant, Quadrature quadrature);
+
+/// The perfect reflector, as that reader sees it: the sum of the weights.
+XYZ whiteOf(const std::vector<Imath::V3d>& weights);
 
 }  // namespace specbake::internal

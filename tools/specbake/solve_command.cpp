@@ -59,9 +59,8 @@ ColorAnswer solve(const Arguments& a, const Upsampler& upsampler) {
 
 /// What is not the sum over the 81 bands stands beside the light.
 std::string lightText(const Observer& observer) {
-    if (observer.quadrature() == Quadrature::bands)
-        return std::string(lightLabel(observer.illuminant()));
-    return std::string(lightLabel(observer.illuminant())) + ", integrated every 1 nm";
+    const std::string light(lightLabel(observer.illuminant()));
+    return observer.quadrature() == Quadrature::bands ? light : light + ", integrated every 1 nm";
 }
 
 /// Of the bands that a reader gets.

@@ -15,11 +15,12 @@ ColorMeaning asStored() {
     return meaning;
 }
 
-/// Each in [0, 1], NaN being 0; all together at most 1.
-std::array<float, 3> bounded(std::array<float, 3> shares, std::size_t count) {
+/// The first `count`, each in [0, 1], NaN being 0; all together at most 1. The others are 0.
+std::array<float, 3> bounded(const std::array<float, 3>& stored, std::size_t count) {
+    std::array<float, 3> shares{};
     float sum = 0;
     for (std::size_t j = 0; j < count; ++j) {
-        shares[j] = shares[j] > 0 ? std::min(shares[j], 1.0F) : 0;
+        shares[j] = stored[j] > 0 ? std::min(stored[j], 1.0F) : 0;
         sum += shares[j];
     }
     for (std::size_t j = 0; sum > 1 && j < count; ++j) shares[j] /= sum;
@@ -54,6 +55,8 @@ void MaterialMap::change(std::span<const Upsampler::Color> colors,
     buffers.alpha.resize(colors.size());
     decoder_.decode(stored, colors.size(), buffers.shares.data(), buffers.alpha.data());
     for (auto& shares : buffers.shares) shares = bounded(shares, upsamplers_.size());
+    const auto isEmpty = [](const auto& shares) { return shares == std::array<float, 3>{}; };
+    if (std::ranges::all_of(buffers.shares, isEmpty)) return;
     buffers.without.assign(samples.begin(), samples.end());
     for (std::size_t j = 0; j < upsamplers_.size(); ++j) {
         const auto holds = [j](const std::array<float, 3>& shares) { return shares[j] > 0; };

@@ -12,9 +12,7 @@ namespace {
 
 Quadrature quadratureOf(const TableFile& table) {
     const std::string stated = table.fact("quadrature").value_or("");
-    for (const Quadrature quadrature : kQuadratures) {
-        if (stated == quadratureText(quadrature)) return quadrature;
-    }
+    if (const auto quadrature = quadratureFromText(stated)) return *quadrature;
     throw FileError(table.name(), "its quadrature '" + stated + "' is not known");
 }
 

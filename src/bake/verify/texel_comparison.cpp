@@ -1,5 +1,7 @@
 #include "verify/texel_comparison.h"
 
+#include "reading.h"
+
 #include <specbake/core/ciede2000.h>
 #include <specbake/core/vector.h>
 
@@ -19,9 +21,8 @@ bool areFinite(std::span<const float> values) {
 TexelComparison::TexelComparison(const Upsampler& model, BandWeights weights,
                                  const SampleRounding& rounding)
     : model_(model), rounding_(rounding), weights_(std::move(weights.lit)) {
-    XYZ daylight;
-    for (const Imath::V3d& w : weights.daylit) daylight += w;
-    const Imath::M33d rgbFromXYZ = xyzFromRGB(*findColorSpace("lin_rec709"), daylight).inverse();
+    const Imath::M33d rgbFromXYZ =
+        xyzFromRGB(*findColorSpace("lin_rec709"), whiteOf(weights.daylit)).inverse();
     for (const Imath::V3d& w : weights.daylit) previewOfBand_.push_back(w * rgbFromXYZ);
 }
 

@@ -162,12 +162,7 @@ std::string lightText(std::string_view label, const LightPower& power) {
     std::string text(label);
     for (char& c : text) c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
     text += ':';
-    for (const double value : power) {
-        std::array<char, 32> digits{};
-        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-        text += ' ';
-        text.append(digits.data(), end);
-    }
+    for (const double value : power) text += ' ' + decimal(value);
     return text;
 }
 
@@ -185,6 +180,14 @@ std::optional<NamedLight> internal::findLight(std::string_view text) {
         if (lowerCase(light.name) == name) return light;
     }
     return {};
+}
+
+NamedLight internal::lightNamed(std::string_view name) {
+    if (auto light = findLight(name)) return *std::move(light);
+    std::vector<std::string> names = illuminantNames();
+    const auto& further = furtherIlluminantNames();
+    names.insert(names.end(), further.begin(), further.end());
+    throw ArgumentError("unknown illuminant '" + std::string(name) + "'" + suggestion(name, names));
 }
 
 std::optional<LightPower> powerOfLight(std::string_view illuminant) {

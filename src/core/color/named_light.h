@@ -16,4 +16,7 @@ struct NamedLight {
 /// An offered illuminant in any case, or a light of one's own in the form of lightText().
 std::optional<NamedLight> findLight(std::string_view text);
 
+/// The same. Throws ArgumentError where there is none, and says which name is near.
+NamedLight lightNamed(std::string_view text);
+
 }  // namespace specbake::internal

@@ -1,11 +1,10 @@
+#include "color/knot_place.h"
 #include "color/named_light.h"
-#include "color/names.h"
 #include "color/tables.h"
 
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace specbake {
@@ -13,14 +12,6 @@ namespace specbake {
 using namespace internal;
 
 namespace {
-
-NamedLight lightNamed(std::string_view name) {
-    if (auto light = findLight(name)) return *std::move(light);
-    std::vector<std::string> names = illuminantNames();
-    const auto& further = furtherIlluminantNames();
-    names.insert(names.end(), further.begin(), further.end());
-    throw ArgumentError("unknown illuminant '" + std::string(name) + "'" + suggestion(name, names));
-}
 
 /// x̄, ȳ, z̄ of a band. The quotient is the double nearest to the printed decimal: both the
 /// integer and 1e10 are exact.
@@ -36,33 +27,14 @@ std::vector<Imath::V3d> foldedToKnots(const std::vector<Imath::V3d>& weights,
     if (knots == bands) return weights;
     std::vector<Imath::V3d> folded(std::size_t(knots.count), Imath::V3d(0.0));
     for (std::size_t m = 0; m < weights.size(); ++m) {
-        const double place = (bands.at(int(m)) - knots.first) / knots.step;
-        const double below = std::clamp(std::floor(place), 0.0, double(knots.count - 2));
-        const double ofNext = std::clamp(place - below, 0.0, 1.0);
-        folded[std::size_t(below)] += weights[m] * (1 - ofNext);
-        folded[std::size_t(below) + 1] += weights[m] * ofNext;
+        const auto [below, ofNext] = placeOn(knots, bands.at(int(m)));
+        folded[below] += weights[m] * (1 - ofNext);
+        folded[below + 1] += weights[m] * ofNext;
     }
     return folded;
 }
 
 }  // namespace
-
-std::array<double, 95> internal::tables::finePower(std::string_view light) {
-    const NamedLight named = lightNamed(light);
-    const LightPower& middle = named.power;
-    std::array<double, 95> all;
-    std::fill_n(all.begin(), 4, middle.front());
-    std::copy(middle.begin(), middle.end(), all.begin() + 4);
-    std::fill(all.begin() + 85, all.end(), middle.back());
-    for (const auto& ends : tables::kIlluminantEnds) {
-        if (ends.name != named.name) continue;
-        for (std::size_t i = 0; i < 14; ++i) {
-            const double power = i < 4 ? ends.below[i] : ends.above[i - 4];
-            if (!std::isnan(power)) all[i < 4 ? i : i + 81] = power;
-        }
-    }
-    return all;
-}
 
 Observer::Observer(std::string_view illuminant) {
     NamedLight light = lightNamed(illuminant);

@@ -1,3 +1,5 @@
+#include "color/named_light.h"
+#include "color/names.h"
 #include "color/tables.h"
 
 #include <specbake/core/error.h>
@@ -20,8 +22,27 @@ double powerOfA(double nm) {
     return 100 * std::pow(560 / nm, 5) * planck(560) / planck(nm);
 }
 
+/// 360 to 830 nm every 5 nm.
+using FinePower = std::array<double, 95>;
+
+/// What the CIE does not give repeats the nearest.
+FinePower finePower(const NamedLight& light) {
+    FinePower all;
+    std::fill_n(all.begin(), 4, light.power.front());
+    std::copy(light.power.begin(), light.power.end(), all.begin() + 4);
+    std::fill(all.begin() + 85, all.end(), light.power.back());
+    for (const auto& ends : tables::kIlluminantEnds) {
+        if (ends.name != light.name) continue;
+        for (std::size_t i = 0; i < 14; ++i) {
+            const double power = i < 4 ? ends.below[i] : ends.above[i - 4];
+            if (!std::isnan(power)) all[i < 4 ? i : i + 81] = power;
+        }
+    }
+    return all;
+}
+
 /// The 5 nm tables, linear between as CIE 15 asks for the daylights.
-double tabulatedPower(const std::array<double, 95>& table, int nm) {
+double tabulatedPower(const FinePower& table, int nm) {
     const int row = (nm - kFinestFirst) / kWavelengthStep;
     const int rest = (nm - kFinestFirst) % kWavelengthStep;
     const double below = table[std::size_t(row)];
@@ -51,12 +72,6 @@ std::optional<double> number(const char* text, const char* end) {
     return value;
 }
 
-std::string decimal(double value) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return {text.data(), end};
-}
-
 }  // namespace
 
 std::string_view quadratureName(Quadrature quadrature) {
@@ -76,10 +91,18 @@ std::string_view quadratureText(Quadrature quadrature) {
                : "every 1 nm from 360 to 830 nm, linear between the bands, their ends repeated";
 }
 
+std::optional<Quadrature> quadratureFromText(std::string_view text) {
+    for (const Quadrature quadrature : kQuadratures) {
+        if (quadratureText(quadrature) == text) return quadrature;
+    }
+    return {};
+}
+
 std::vector<Imath::V3d> fineWeights(std::string_view illuminant,
                                     std::span<const double> wavelengths) {
-    const bool isA = Observer(illuminant).illuminant() == "A";  // names in any case
-    const auto table = tables::finePower(illuminant);
+    const NamedLight light = lightNamed(illuminant);
+    const bool isA = light.name == "A";
+    const FinePower table = finePower(light);
     std::vector<Imath::V3d> weights(wavelengths.size(), Imath::V3d(0.0));
     double luminance = 0;
     for (int nm = kFinestFirst; nm <= kFinestLast; ++nm) {

@@ -1,3 +1,5 @@
+#include "color/knot_place.h"
+
 #include <specbake/core/spectrum.h>
 
 #include <algorithm>
@@ -11,12 +13,15 @@ Spectrum constantSpectrum(double value) {
     return s;
 }
 
-double valueAt(const Spectrum& spectrum, const Wavelengths& knots, double nm) {
+internal::KnotPlace internal::placeOn(const Wavelengths& knots, double nm) {
     const double place = std::clamp((nm - knots.first) / knots.step, 0.0, double(knots.count - 1));
     const double below = std::min(std::floor(place), double(knots.count - 2));
-    const auto m = std::size_t(below);
-    const double fraction = place - below;
-    return (1 - fraction) * spectrum[m] + fraction * spectrum[m + 1];
+    return {std::size_t(below), place - below};
+}
+
+double valueAt(const Spectrum& spectrum, const Wavelengths& knots, double nm) {
+    const auto [below, ofNext] = internal::placeOn(knots, nm);
+    return (1 - ofNext) * spectrum[below] + ofNext * spectrum[below + 1];
 }
 
 Spectrum mix(const Spectrum& a, const Spectrum& b, double weight) {

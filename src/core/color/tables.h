@@ -35,10 +35,6 @@ struct IlluminantEnds {
 };
 extern const std::vector<IlluminantEnds> kIlluminantEnds;
 
-/// 360 to 830 nm every 5 nm; what the CIE does not give repeats the nearest.
-/// Throws ArgumentError for a name that `illuminants` has not.
-std::array<double, 95> finePower(std::string_view light);
-
 /// A measured reflectance of data/natural.csv: tables of one set follow each other.
 struct ReflectanceTable {
     std::string_view set, name, material;

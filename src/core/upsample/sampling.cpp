@@ -1,10 +1,11 @@
+#include "color/knot_place.h"
+
 #include <specbake/core/error.h>
 #include <specbake/core/quadrature.h>
 #include <specbake/core/sampling.h>
 
 #include <Imath/half.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -20,11 +21,10 @@ std::vector<SampleSelection::Tap> wholeSamples(std::size_t first, std::size_t co
 
 SampleSelection::Tap tapAt(double nm, const Wavelengths& knots) {
     if (!std::isfinite(nm)) throw ArgumentError("a wavelength that is not a finite number");
-    const double band = std::clamp((nm - knots.first) / knots.step, 0.0, double(knots.count - 1));
-    const double below = std::min(std::floor(band), double(knots.count - 2));
-    const auto fraction = float(band - below);
-    if (fraction == 1) return {kPreviewSamples + std::size_t(below) + 1, 0};
-    return {kPreviewSamples + std::size_t(below), fraction};
+    const auto [below, ofNext] = internal::placeOn(knots, nm);
+    const auto fraction = float(ofNext);
+    if (fraction == 1) return {kPreviewSamples + below + 1, 0};
+    return {kPreviewSamples + below, fraction};
 }
 
 }  // namespace

@@ -19,8 +19,7 @@ struct BatchItem {
 /// The names of the results, and with `pages` of reports on them, all of them sound. Spectral
 /// images that were found in a folder or by a pattern are passed over: it is into such folders that
 /// results are written. Throws ArgumentError if two textures would become the same file, or if a
-/// result is a texture of the batch or no
-/// `.exr`: nothing was begun then.
+/// result is a texture of the batch or no `.exr`: nothing was begun then.
 std::vector<BatchItem> planBatch(std::vector<Input> inputs, const OutputNames& names,
                                  const std::optional<OutputNames>& pages = {});
 

@@ -9,12 +9,6 @@
 namespace specbake::tool {
 namespace {
 
-std::string joined(const std::vector<std::string>& words, const std::string& between) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-    return text;
-}
-
 /// Within '…' of a shell.
 std::string singleQuoted(const std::string& text) {
     std::string result;
@@ -26,12 +20,6 @@ std::string singleQuoted(const std::string& text) {
         }
     }
     return result;
-}
-
-std::vector<std::string> commandNames(const CLI::App& program) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : commandsOf(program)) names.push_back(command->get_name());
-    return names;
 }
 
 /// For each command its options, and for each option with choices these.

@@ -30,12 +30,6 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
-std::string joined(const std::vector<std::string>& words, const std::string& between) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-    return text;
-}
-
 std::string described(const OptionFacts& option) {
     std::string text = fmt::format(".TP\n\\fB{}\\fR", escaped(joined(option.names, ", ")));
     if (!option.value.empty()) text += fmt::format(" \\fI{}\\fR", escaped(option.value));
@@ -84,7 +78,7 @@ std::string head(const std::string& name, const std::string& description) {
 }
 
 std::string commandPage(const CLI::App& command) {
-    const std::string name = command.get_name();
+    const std::string& name = command.get_name();
     std::string page = head("specbake-" + name, command.get_description());
     page += fmt::format("\\fBspecbake {}\\fR", name);
     std::string arguments;

@@ -57,4 +57,16 @@ std::vector<const CLI::App*> commandsOf(const CLI::App& program) {
         [](const CLI::App* command) { return !command->get_group().empty(); });
 }
 
+std::vector<std::string> commandNames(const CLI::App& program) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : commandsOf(program)) names.push_back(command->get_name());
+    return names;
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+    return text;
+}
+
 }  // namespace specbake::tool

@@ -25,5 +25,8 @@ std::vector<OptionFacts> positionalsOf(const CLI::App& command);
 
 /// The commands that help shows.
 std::vector<const CLI::App*> commandsOf(const CLI::App& program);
+std::vector<std::string> commandNames(const CLI::App& program);
+
+std::string joined(const std::vector<std::string>& words, const std::string& between);
 
 }  // namespace specbake::tool

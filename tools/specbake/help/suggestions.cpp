@@ -1,5 +1,7 @@
 #include "help/suggestions.h"
 
+#include "help/option_facts.h"
+
 #include <specbake/core/error.h>
 
 #include <CLI/CLI.hpp>
@@ -8,14 +10,6 @@
 
 namespace specbake::tool {
 namespace {
-
-std::vector<std::string> commandNames(const CLI::App& program) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : program.get_subcommands({})) {
-        if (!command->get_group().empty()) names.push_back(command->get_name());
-    }
-    return names;
-}
 
 std::vector<std::string> optionNames(const CLI::App& command) {
     std::vector<std::string> names;
@@ -42,7 +36,10 @@ std::optional<std::string> explainUnknown(const CLI::App& program,
         const std::string option = word.substr(0, word.find('='));
         const bool isKnown = std::find(options.begin(), options.end(), option) != options.end();
         if (!option.starts_with("--") || isKnown) continue;
-        return name + " has no option " + option + suggestion(option, options);
+        return std::string(name)
+            .append(" has no option ")
+            .append(option)
+            .append(suggestion(option, options));
     }
     return {};
 }

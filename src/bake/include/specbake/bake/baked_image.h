@@ -43,8 +43,8 @@ class SPECBAKE_API BakedImage {
     const std::vector<ChunkGrid>& levels() const;
 
     /// A chunk's samples of some channels, numbers in channelNames(header().alpha, header().bands):
-    /// row by row,
-    /// within a row texel by texel, channels interleaved in the order in which they are asked for.
+    /// row by row, within a row texel by texel, channels interleaved in the order in which they are
+    /// asked for.
     /// Throws ArgumentError for a chunk or channel that there is not, or too small a room;
     /// FileError where the texture cannot be read, or has a texel without a spectrum there.
     void readChunk(int chunk, std::span<const int> channels, std::span<std::byte> samples) const;

@@ -28,6 +28,7 @@ SPECBAKE_API std::optional<Quadrature> quadratureFromName(std::string_view name)
 
 /// The same in words, for a file: "sum over the bands", "every 1 nm from 360 to 830 nm, …".
 SPECBAKE_API std::string_view quadratureText(Quadrature quadrature);
+SPECBAKE_API std::optional<Quadrature> quadratureFromText(std::string_view text);
 
 /// Of the fine quadrature, nm.
 inline constexpr int kFinestFirst = 360;

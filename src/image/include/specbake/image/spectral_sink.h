@@ -15,8 +15,7 @@ namespace specbake {
 /// held of the image.
 class SPECBAKE_API SpectralSink {
   public:
-    /// `levels`: the image itself first.
-    /// `bands`: how many.
+    /// `levels`: the image itself first. `bands`: how many.
     SpectralSink(std::vector<ChunkGrid> levels, SampleType type, bool alpha,
                  int bands = kBandCount);
     virtual ~SpectralSink();
