@@ -1,5 +1,7 @@
 #include "choices.h"
 
+#include "farm/allotment.h"
+
 #include <specbake/core/error.h>
 #include <specbake/core/methods.h>
 #include <specbake/core/observer.h>
@@ -322,10 +324,16 @@ CLI::Validator isFinite() {
 }
 
 void addThreads(CLI::App& command, int& threads) {
-    command.add_option("-j,--threads", threads, "threads, 0 for all cores")
+    command
+        .add_option(
+            "-j,--threads", threads,
+            "threads, 0 for as many as the process was given: by affinity, quota or scheduler")
         ->envname("SPECBAKE_THREADS")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
+    command.final_callback([&threads] {
+        if (threads == 0) threads = allottedThreads();
+    });
 }
 
 }  // namespace specbake::tool

@@ -25,6 +25,7 @@ Command addRegion(CLI::App& program);
 Command addSolve(CLI::App& program);
 Command addInspect(CLI::App& program);
 Command addRelight(CLI::App& program);
+Command addStatus(CLI::App& program);
 Command addTable(CLI::App& program);
 Command addVerify(CLI::App& program);
 

@@ -30,12 +30,16 @@ int run(int argc, char** argv) {
     program.footer(
         "specbake COMMAND --help tells more. Exit codes: 0 done, 1 it could not be done,\n"
         "2 the command was wrong, 3 verify found too large a difference.");
-    const std::map<std::string, Command> commands = {
-        {"bake", addBake(program)},       {"solve", addSolve(program)},
-        {"region", addRegion(program)},   {"inspect", addInspect(program)},
-        {"relight", addRelight(program)}, {"table", addTable(program)},
-        {"verify", addVerify(program)},   {"completion", addCompletion(program)},
-        {"manual", addManual(program)}};
+    const std::map<std::string, Command> commands = {{"bake", addBake(program)},
+                                                     {"solve", addSolve(program)},
+                                                     {"region", addRegion(program)},
+                                                     {"inspect", addInspect(program)},
+                                                     {"relight", addRelight(program)},
+                                                     {"status", addStatus(program)},
+                                                     {"table", addTable(program)},
+                                                     {"verify", addVerify(program)},
+                                                     {"completion", addCompletion(program)},
+                                                     {"manual", addManual(program)}};
     addHelpTexts(program);
     try {
         program.parse(argc, argv);

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "farm/allotment.h"
+
 #include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -14,7 +15,7 @@ class ThreadPool {
   public:
     explicit ThreadPool(int threads)
         : limit_(tbb::global_control::max_allowed_parallelism,
-                 std::size_t(std::max(threads, tbb::info::default_concurrency()))) {}
+                 std::size_t(std::max(threads, allottedThreads()))) {}
 
   private:
     tbb::global_control limit_;

@@ -32,8 +32,22 @@ std::string differenceOf(std::string made, std::string wanted) {
     return "made otherwise";
 }
 
-std::optional<std::string> wantedIdentity(const std::string& input, const BakeOptions& options) {
-    const auto source = fileFingerprint(input);
+/// What stands for the texture's bytes: of such that are not read, what the result says of them, if
+/// there are as many.
+std::optional<std::string> sourceNow(const std::string& input, std::string made,
+                                     SourceCheck check) {
+    std::error_code error;
+    const auto size = fs::file_size(input, error);
+    if (check == SourceCheck::bytes || error) return fileFingerprint(input);
+    const std::string length = std::to_string(size) + " bytes";
+    std::string source = takePart(made);
+    return source.starts_with(length + ", ") ? source : length;
+}
+
+/// `source`: what stands for the texture's bytes; nothing for what is no file.
+std::optional<std::string> wantedIdentity(const std::string& input,
+                                          const std::optional<std::string>& source,
+                                          const BakeOptions& options) {
     if (!source) return {};
     const TextureReader texture(input, options.read);
     const auto models = options.models ? options.models : std::make_shared<ModelCache>();
@@ -45,7 +59,7 @@ std::optional<std::string> wantedIdentity(const std::string& input, const BakeOp
 }  // namespace
 
 std::optional<std::string> outdated(const std::string& input, const fs::path& output,
-                                    const BakeOptions& options) {
+                                    const BakeOptions& options, SourceCheck check) {
     std::error_code error;
     const auto made = fs::last_write_time(output, error);
     if (error) return "not there";
@@ -53,7 +67,7 @@ std::optional<std::string> outdated(const std::string& input, const fs::path& ou
     if (!error && made < changed) return "older than its texture";
     const auto identity = exrText(output.string(), kIdentityAttribute);
     if (!identity) return "it does not say how it was made";
-    const auto wanted = wantedIdentity(input, options);
+    const auto wanted = wantedIdentity(input, sourceNow(input, *identity, check), options);
     if (!wanted) return "its texture is not a file that could be compared";
     if (*wanted != *identity) return differenceOf(*identity, *wanted);
     return {};

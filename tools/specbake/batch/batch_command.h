@@ -15,6 +15,7 @@ struct BatchArguments {
     std::string pages;    ///< reports, named as the results are; empty for none
     BakeOptions options;  ///< of each
     bool update = false;
+    std::string shard;  ///< as parseShard() takes it; empty for all
     BatchReport::Options report;
 };
 

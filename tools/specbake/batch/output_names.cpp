@@ -4,6 +4,7 @@
 
 #include <specbake/core/error.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace specbake::tool {
@@ -82,6 +83,15 @@ std::string OutputNames::nameFor(const Input& input) const {
     }
     const fs::path path(input.path);
     return (fs::path(output_) / input.tree / (path.stem().string() + extension_)).string();
+}
+
+std::string OutputNames::folder() const {
+    const auto token = isPattern(output_) ? std::nullopt : findNumberToken(output_);
+    if (!isPattern(output_) && !token) return output_;
+    const std::size_t end = token ? token->begin : output_.find_first_of("{}");
+    const std::size_t slash = output_.substr(0, end).rfind('/');
+    if (slash == std::string::npos) return ".";
+    return output_.substr(0, std::max(slash, std::size_t(1)));
 }
 
 }  // namespace specbake::tool

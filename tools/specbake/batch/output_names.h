@@ -25,6 +25,9 @@ class OutputNames {
     /// Throws ArgumentError for what a pattern names and the input has not.
     std::string nameFor(const Input& input) const;
 
+    /// The folder that all results are below: what stands before fields and numbers.
+    std::string folder() const;
+
   private:
     bool namesMany() const;
     std::string numberOf(const Input& input) const;

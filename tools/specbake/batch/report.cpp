@@ -56,7 +56,7 @@ std::string row(std::size_t count, const std::string& what) {
 }
 
 std::string tableOf(std::span<const BatchItem> items, std::span<const BatchResult> results,
-                    double seconds) {
+                    double seconds, int threads) {
     const auto count = [&](Outcome outcome) {
         return std::size_t(std::count_if(results.begin(), results.end(), [&](const auto& result) {
             return result.outcome == outcome;
@@ -64,13 +64,13 @@ std::string tableOf(std::span<const BatchItem> items, std::span<const BatchResul
     };
     double texels = 0;
     for (const BatchResult& result : results) texels += double(result.statistics.texels);
-    std::string table =
-        row(count(Outcome::baked),
-            fmt::format("baked: {:.1f} million texels in {:.1f} s", texels / 1e6, seconds)) +
-        row(count(Outcome::current), "up to date") +
-        row(count(Outcome::passed), "passed over: spectral images themselves") +
-        row(count(Outcome::left), "left when it was stopped") +
-        row(count(Outcome::failed), "failed");
+    std::string table = row(count(Outcome::baked),
+                            fmt::format("baked: {:.1f} million texels in {:.1f} s on {} thread{}",
+                                        texels / 1e6, seconds, threads, threads == 1 ? "" : "s")) +
+                        row(count(Outcome::current), "up to date") +
+                        row(count(Outcome::passed), "passed over: spectral images themselves") +
+                        row(count(Outcome::left), "left when it was stopped") +
+                        row(count(Outcome::failed), "failed");
     for (std::size_t i = 0; i < items.size(); ++i) {
         if (results[i].outcome == Outcome::failed) {
             table += fmt::format("{:>8}  {}: {}\n", "", items[i].input.path, results[i].reason);
@@ -122,13 +122,14 @@ void BatchReport::tell(const BatchItem& item, const BatchResult& result) {
 }
 
 void BatchReport::end(std::span<const BatchItem> items, std::span<const BatchResult> results,
-                      double seconds) const {
+                      double seconds, int threads) const {
     bar_.clear();
     if (!options_.statsFile.empty() && !statsToStdout()) {
         writeStats(options_.statsFile, items, results);
     }
     if (options_.quiet) return;
-    std::fputs(tableOf(items, results, seconds).c_str(), statsToStdout() ? stderr : stdout);
+    std::fputs(tableOf(items, results, seconds, threads).c_str(),
+               statsToStdout() ? stderr : stdout);
 }
 
 }  // namespace specbake::tool

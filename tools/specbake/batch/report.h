@@ -29,8 +29,8 @@ class BatchReport {
     void tell(const BatchItem& item, const BatchResult& result);
 
     /// Writes the file of `--stats` and prints the table. Throws FileError.
-    void end(std::span<const BatchItem> items, std::span<const BatchResult> results,
-             double seconds) const;
+    void end(std::span<const BatchItem> items, std::span<const BatchResult> results, double seconds,
+             int threads) const;
 
   private:
     bool statsToStdout() const { return options_.statsFile == "-"; }

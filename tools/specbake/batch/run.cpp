@@ -24,12 +24,6 @@ namespace fs = std::filesystem;
 /// From here on a texture is baked with all threads: it keeps them busy by itself.
 constexpr std::size_t kLarge = std::size_t(1) << 20;  // texels
 
-/// "FILE: REASON" without the file.
-std::string reasonOf(const std::exception& error, const std::string& file) {
-    const std::string what = error.what();
-    return what.starts_with(file + ": ") ? what.substr(file.size() + 2) : what;
-}
-
 void makeFolderOf(const std::string& file) {
     const fs::path folder = fs::path(file).parent_path();
     if (!folder.empty()) fs::create_directories(folder);
@@ -148,6 +142,11 @@ class Batch {
 };
 
 }  // namespace
+
+std::string reasonOf(const std::exception& error, const std::string& file) {
+    const std::string what = error.what();
+    return what.starts_with(file + ": ") ? what.substr(file.size() + 2) : what;
+}
 
 std::vector<BatchResult> runBatch(std::span<const BatchItem> items, const BatchOptions& options) {
     return Batch(items, options).run();

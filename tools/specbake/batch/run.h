@@ -4,6 +4,7 @@
 
 #include <specbake/bake/bake.h>
 
+#include <exception>
 #include <functional>
 #include <span>
 #include <string>
@@ -33,6 +34,9 @@ struct BatchOptions {
     /// Called when a texture is through; by one thread at a time, as `progress` is.
     std::function<void(const BatchItem&, const BatchResult&)> finished;
 };
+
+/// Of "FILE: REASON" the reason.
+std::string reasonOf(const std::exception& error, const std::string& file);
 
 /// Bakes all items, with models that they share: small textures side by side, large ones with all
 /// threads. One that fails does not stop the others. The results are in the order of the items; the

@@ -28,7 +28,8 @@ const std::vector<Group>& groups() {
          {"--output", "--bits", "--max-de", "--data-type", "--compression", "--tile", "--mipmap",
           "--wrap", "--attrib"}},
         {"How it is done",
-         {"--threads", "--stats", "--report", "--update", "--verbose", "--quiet", "--help"}}};
+         {"--threads", "--shard", "--quick", "--stats", "--report", "--update", "--verbose",
+          "--quiet", "--help"}}};
     return all;
 }
 
@@ -65,6 +66,11 @@ const std::map<std::string, std::string>& examples() {
          "      white, volume and faces of the solid of object colours\n"
          "  specbake region --illuminant D65 --obj solid.obj\n"
          "      its surface, for a viewer of meshes\n"},
+        {"status",
+         "  specbake status @list.txt -o spectral --tile 64 64 --mipmap\n"
+         "      what of a list is baked so, by the exit code, too\n"
+         "  specbake status @list.txt -o spectral --json --quick\n"
+         "      for a script, of headers alone\n"},
         {"table",
          "  specbake table -o srgb.spectab\n"
          "      for linear Rec.709 colours\n"
