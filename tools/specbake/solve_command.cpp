@@ -113,7 +113,9 @@ void printText(const ColorAnswer& answer, const Observer& observer) {
                      answer.given.x, answer.given.y, answer.given.z);
     }
     if (answer.outside) {
-        std::fprintf(stderr, "outside the solid: given XYZ %.6g %.6g %.6g, CIEDE2000 %.2f\n",
+        std::fprintf(stderr,
+                     "outside the solid: the spectrum is that of XYZ %.6g %.6g %.6g, CIEDE2000 "
+                     "%.2f from what was asked\n",
                      answer.given.x, answer.given.y, answer.given.z, answer.difference);
     }
 }

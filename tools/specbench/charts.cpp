@@ -38,6 +38,7 @@ void runCharts(const Options& options) {
         throw Error("the charts need Debian's python3-matplotlib");
     }
     runSpectra(options);
+    runNature(options);
     runScene(options);
     runStability(options);
     runAccuracy(options);

@@ -6,6 +6,7 @@
 #include "methods/frame.h"
 #include "solve/samples/with_samples.h"
 #include "statistics.h"
+#include "steepest.h"
 #include "tasks.h"
 
 #include <specbake/core/error.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -249,6 +251,19 @@ void addContinuity(Figures& figures, const Exhausted& model, std::size_t count) 
         measure("direct", directly);
         measure("grid " + std::to_string(kDefaultGridNodes), throughGrid);
     }
+    const auto search = [&](const std::string& way,
+                            const std::function<Spectrum(const RGB&)>& spectrumOf) {
+        const MethodName method{model.name(), way};
+        const auto slopes = steepest(spectrumOf, count / 100);
+        for (std::size_t k = 0; k < slopes.size(); ++k) {
+            fmt::print("{:<20} steepest found, {:.0e} apart: {:.3g}\n", method.full(),
+                       kNarrowing[k], slopes[k]);
+            figures.add({"steepest found", method, "slope max", slopes[k], "reflectance per RGB",
+                         kNarrowing[k], "RGB"});
+        }
+    };
+    search("direct", directly);
+    search("grid " + std::to_string(kDefaultGridNodes), throughGrid);
 }
 
 }  // namespace

@@ -46,6 +46,14 @@ std::string quoted(const std::string& text) {
 Figures::Figures(std::string name, std::string command)
     : name_(std::move(name)), command_(std::move(command)) {}
 
+void Figures::addSpectrum(const std::string& set, const MethodName& method,
+                          const Spectrum& spectrum) {
+    for (int m = 0; m < kBandCount; ++m) {
+        add({set, method, "reflectance", spectrum[std::size_t(m)], "1", double(wavelength(m)),
+             "nm"});
+    }
+}
+
 void Figures::write(const std::string& folder) const {
     std::error_code ignored;  // what matters is whether the files can be created
     std::filesystem::create_directories(folder, ignored);

@@ -26,6 +26,8 @@ class Figures {
     Figures(std::string name, std::string command);
 
     void add(Figure figure) { figures_.push_back(std::move(figure)); }
+    /// A figure for each band.
+    void addSpectrum(const std::string& set, const MethodName& method, const Spectrum& spectrum);
     /// Throws FileError.
     void write(const std::string& folder) const;
 

@@ -27,6 +27,7 @@ def main():
         ("map.csv", atlas.draw_map),
         ("scene.csv", scene.draw),
         ("spectra.csv", spectra.draw),
+        ("nature-spectra.csv", spectra.draw_natural),
     ]
     for name, draw in drawings:
         if not (results / name).exists():

@@ -7,12 +7,13 @@
 #include "methods/grid_method.h"
 #include "methods/solver_method.h"
 #include "progress.h"
-#include "solve/shell.h"
 #include "statistics.h"
 #include "upsample/node_values.h"
 
 #include <specbake/bake/bake.h>
 #include <specbake/core/ciede2000.h>
+#include <specbake/core/methods.h>
+#include <specbake/core/solid.h>
 
 #include <Imath/half.h>
 
@@ -26,6 +27,13 @@ namespace specbake::bench {
 using namespace internal;
 
 namespace {
+
+/// What a bake uses if it is told nothing.
+const std::string kMethod(methods().front().name);
+
+std::shared_ptr<const Solver> defaultSolver(const Observer& observer) {
+    return methods().front().makeSolver(observer, Solid(observer), SolverUse::gridNodes);
+}
 
 constexpr int kGrids[] = {5, 9, 13, 17, 25, 33, 65};
 constexpr std::size_t kBakes = 5;    // of which the median counts
@@ -84,15 +92,15 @@ class Run {
           progress_(progress),
           figures_("scene", options.commandLine("scene")),
           frame_(sRGBFrame()),
-          solver_(std::make_shared<const ShellSolver>(frame_.observer)),
+          solver_(defaultSolver(frame_.observer)),
           scenes_(scenesOf(options, frame_)),
           incandescent_("A") {
-        const SolverMethod direct({"smooth", "direct"}, frame_, solver_);
+        const SolverMethod direct({kMethod, "direct"}, frame_, solver_);
         for (const Scene& scene : scenes_) direct_.push_back(spectraOf(direct, scene.colors));
     }
 
     void measureGrid(int nodes) {
-        GridMethod grid({"smooth", ""}, frame_, solver_, nodes);
+        GridMethod grid({kMethod, ""}, frame_, solver_, nodes);
         progress_.next(grid.name().full());
         const double setUp = secondsOf([&] { grid.setUp(); });
         BakeOptions bakeOptions;
@@ -107,7 +115,7 @@ class Run {
     }
 
     void measureBits(int bits) {
-        const MethodName name{"smooth", "half"};
+        const MethodName name{kMethod, "half"};
         progress_.next(std::to_string(bits) + " bits");
         BakeOptions bakeOptions;
         bakeOptions.bits = bits;

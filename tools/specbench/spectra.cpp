@@ -17,14 +17,6 @@ constexpr std::array<std::string_view, 12> kPatches = {
     "dark skin", "blue sky", "foliage", "orange", "purple",  "yellow green",
     "blue",      "green",    "red",     "yellow", "magenta", "cyan"};
 
-void addSpectrum(Figures& figures, const std::string& patch, const MethodName& method,
-                 const Spectrum& s) {
-    for (int m = 0; m < kBandCount; ++m) {
-        figures.add(
-            {patch, method, "reflectance", s[std::size_t(m)], "1", double(wavelength(m)), "nm"});
-    }
-}
-
 }  // namespace
 
 void runSpectra(const Options& options) {
@@ -34,7 +26,7 @@ void runSpectra(const Options& options) {
     Progress progress("spectra", methods.size());
     for (const NamedSpectrum& patch : patches) {
         if (std::ranges::find(kPatches, patch.name) == kPatches.end()) continue;
-        addSpectrum(figures, patch.name, {"measured", ""}, patch.spectrum);
+        figures.addSpectrum(patch.name, {"measured", ""}, patch.spectrum);
     }
     for (const auto& method : methods) {
         progress.next(method->name().full());
@@ -42,7 +34,7 @@ void runSpectra(const Options& options) {
         for (const NamedSpectrum& patch : patches) {
             if (std::ranges::find(kPatches, patch.name) == kPatches.end()) continue;
             const XYZ color = method->frame().observer.color(patch.spectrum);
-            addSpectrum(figures, patch.name, method->name(), method->reconstruct(color).spectrum);
+            figures.addSpectrum(patch.name, method->name(), method->reconstruct(color).spectrum);
         }
     }
     figures.write(options.out);

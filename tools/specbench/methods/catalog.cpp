@@ -9,9 +9,13 @@
 #include "nearest_grey.h"
 #include "solve/descent/descent.h"
 #include "solve/dual_newton.h"
+#include "solve/natural/natural.h"
 #include "solve/shell.h"
 #include "solve/smooth.h"
 #include "solver_method.h"
+
+#include <array>
+#include <string_view>
 
 namespace specbake::bench {
 
@@ -24,15 +28,24 @@ void add(Methods& list, Arguments&&... arguments) {
     list.push_back(std::make_unique<M>(std::forward<Arguments>(arguments)...));
 }
 
-/// specbake's default, and the Newton iteration in it alone, which fails next to the boundary.
-void addSmooth(Methods& list, const Frame& frame, const std::vector<int>& grids) {
-    const auto solver = std::make_shared<const ShellSolver>(frame.observer);
-    add<SolverMethod>(list, MethodName{"smooth", "direct"}, frame, solver);
+/// specbake's default, `natural`; `smooth`, which it stands on; and the Newton iteration of that
+/// alone, which fails next to the boundary. `natural` has no votes of the charts that it is shown.
+void addOwn(Methods& list, const Frame& frame, const std::vector<int>& grids,
+            const std::vector<int>& smoothGrids) {
+    const auto smooth = std::make_shared<const ShellSolver>(frame.observer);
+    const auto natural = std::make_shared<const NaturalSolver>(
+        frame.observer, smooth,
+        builtInSetsWithout(std::array<std::string_view, 2>{"SG", "ColorChecker"}));
+    add<SolverMethod>(list, MethodName{"natural", "direct"}, frame, natural);
+    for (const int nodes : grids) {
+        add<GridMethod>(list, MethodName{"natural", ""}, frame, natural, nodes);
+    }
+    add<SolverMethod>(list, MethodName{"smooth", "direct"}, frame, smooth);
+    for (const int nodes : smoothGrids) {
+        add<GridMethod>(list, MethodName{"smooth", ""}, frame, smooth, nodes);
+    }
     add<SolverMethod>(list, MethodName{"smooth", "Newton alone"}, frame,
                       std::make_shared<const SmoothSolver>(frame.observer));
-    for (const int nodes : grids) {
-        add<GridMethod>(list, MethodName{"smooth", ""}, frame, solver, nodes);
-    }
 }
 
 void addDescent(Methods& list, const Frame& frame, const DescentOptions& options,
@@ -73,7 +86,7 @@ void addDualNewton(Methods& list, const Frame& frame) {
 Methods everyMethod(const std::string& data) {
     const Frame frame = sRGBFrame();
     Methods list;
-    addSmooth(list, frame, {5, 9, 13, 17, 25, 33, 65});
+    addOwn(list, frame, {5, 9, 13, 17, 25, 33, 65}, {17});
     for (const DescentOptions& options : descentSettings()) {
         const bool kept = options.bound == DescentOptions::Bound::kept;
         addDescent(list, frame, options, kept ? std::vector{17} : std::vector<int>{});
@@ -95,7 +108,7 @@ Methods everyMethod(const std::string& data) {
 Methods oneOfEach(const std::string& data) {
     const Frame frame = sRGBFrame();
     Methods list;
-    addSmooth(list, frame, {});
+    addOwn(list, frame, {}, {});
     for (const DescentOptions& options : descentSettings()) {
         const bool random = options.start == DescentOptions::Start::random;
         const bool paper = options.path == DescentOptions::Path::closedForm;

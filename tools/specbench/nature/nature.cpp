@@ -8,7 +8,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <string_view>
 
 namespace specbake::bench {
 
@@ -38,6 +40,31 @@ std::vector<Figure> figuresOf(const Judged& set, const Options& options,
         }
     }
     return figures;
+}
+
+/// Shown as curves; of each the samples a quarter and three quarters down its list.
+constexpr std::array<std::string_view, 4> kShown = {"skin, by subject", "leaf", "wood", "DuPont"};
+
+void addSpectra(Figures& figures, const Judged& set, const Options& options) {
+    const auto methods = rivalsFor(set, options);
+    for (const auto& method : methods) method->setUp();
+    for (const std::size_t i : {set.samples.size() / 4, set.samples.size() * 3 / 4}) {
+        const MeasuredSample& sample = set.samples[i];
+        const std::string label = set.name + ": " + sample.name;
+        figures.addSpectrum(label, {"measured", ""}, sample.reflectance);
+        for (const auto& method : methods) {
+            const XYZ color = method->frame().observer.color(sample.reflectance);
+            figures.addSpectrum(label, method->name(), method->reconstruct(color).spectrum);
+        }
+    }
+}
+
+void writeSpectra(const std::vector<Judged>& judged, const Options& options) {
+    Figures figures("nature-spectra", options.commandLine("nature"));
+    for (const Judged& set : judged) {
+        if (std::ranges::find(kShown, set.name) != kShown.end()) addSpectra(figures, set, options);
+    }
+    figures.write(options.out);
 }
 
 /// Of those sets together that count, each counting once.
@@ -103,6 +130,7 @@ void runNature(const Options& options) {
         for (const Figure& figure : of) figures.add(figure);
     }
     figures.write(options.out);
+    writeSpectra(judged, options);
 }
 
 }  // namespace specbake::bench

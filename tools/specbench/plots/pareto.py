@@ -16,7 +16,8 @@ LIMIT = ("memset", "")
 UNSHOWN = {("smooth", "Newton alone"), ("descent", "closed form, flat, grid 17"),
            ("descent", "straight, random, grid 17")}
 NODES_LABELLED = {"5", "17", "25", "33", "65"}  # those that stand apart
-GRIDS = "smooth, grid of 5 to 65 nodes (default 17)"
+OWN = {"natural", "smooth"}
+GRIDS = "natural, grid of 5 to 65 nodes (default 17)"
 EXACT = 2.0 ** -23  # |ΔXYZ| below which is the rounding of stored floats
 SPEED = "texels per second on one thread, 81 floats each (log)  →  faster"
 KEY = ("filled: for every colour that a surface can have.  half: for all of sRGB only.  "
@@ -28,8 +29,8 @@ def soundness(rows, method):
     """full: fails nowhere in the solid; left: nowhere in sRGB; none: somewhere there."""
     if value(rows, method, "failed", SRGB_SETS) > 0:
         return "none"
-    if method[0] == "smooth":
-        method = ("smooth", "direct")  # which the grid's colours outside the cube get
+    if method[0] in OWN:
+        method = (method[0], "direct")  # which the grid's colours outside the cube get
     everywhere = {row["set"] for row in rows} - {OUTSIDE}
     return "left" if value(rows, method, "failed", everywhere) > 0 else "full"
 
@@ -74,7 +75,7 @@ def mark_limit(axes, rows):
 
 def row_of(method):
     """The methods that share a row of the exact ones."""
-    return ("smooth", "grid") if method[0] == "smooth" and "grid" in method[1] else method
+    return ("natural", "grid") if method[0] == "natural" and "grid" in method[1] else method
 
 
 def label_nodes(axes, points):
@@ -85,7 +86,7 @@ def label_nodes(axes, points):
             first = nodes == "5"  # others stand close above it
             axes.annotate(nodes, (p["x"], y), xytext=(5, 4) if first else (0, 6),
                           textcoords="offset points", ha="left" if first else "center",
-                          fontsize=7, color=color_of("smooth"))
+                          fontsize=7, color=color_of("natural"))
 
 
 def draw_exact(axes, points):
@@ -149,8 +150,8 @@ def draw_nature(rows, path):
     figure, axes = plt.subplots(figsize=(9, 6.2))
     axes.set_xscale("log")
     axes.set_yscale("log")
-    grid = [p for p in points if row_of(p["method"]) == ("smooth", "grid")]
-    axes.plot([p["x"] for p in grid], [p["y"] for p in grid], lw=1, color=color_of("smooth"),
+    grid = [p for p in points if row_of(p["method"]) == ("natural", "grid")]
+    axes.plot([p["x"] for p in grid], [p["y"] for p in grid], lw=1, color=color_of("natural"),
               alpha=0.6)
     for p in points:
         mark(axes, p)
@@ -178,7 +179,7 @@ def draw_nature(rows, path):
     label_nodes(axes, [(p, p["y"]) for p in grid])
     left = min(grid, key=lambda p: p["x"])
     axes.annotate(GRIDS, (left["x"], left["y"]), xytext=(14, 17), textcoords="offset points",
-                  ha="right", fontsize=8, color=color_of("smooth"))
+                  ha="right", fontsize=8, color=color_of("natural"))
     labels.place(axes, [label_of(p) for p in points if p not in fast and p not in grid],
                  [(p["x"], p["y"]) for p in fast + grid])
     save(figure, path, title)

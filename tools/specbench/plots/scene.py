@@ -45,7 +45,7 @@ def draw_panel(axes, rows, quantity, unit, ylabel):
 
 def draw(path, folder):
     rows = read_rows(path)
-    title = "What a scene needs: nodes of the grid, and bits of the stored halves (smooth, D65)"
+    title = "What a scene needs: nodes of the grid, and bits of the stored halves (natural, D65)"
     figure, grid = plt.subplots(len(ROWS), 2, figsize=(10.5, 12.5))
     for line, quantities in zip(grid, ROWS):
         for axes, (quantity, ylabel), unit in zip(line, quantities, COLUMNS):

@@ -20,7 +20,10 @@ STYLE = (  # a middle tone for viewers that know of no scheme
 # out, orange and sky blue are a shade darker and blue is a shade lighter, so that words in them
 # can be read on white and on black.
 FAMILIES = {
-    "smooth": ("#009E73", "o"),
+    "natural": ("#009E73", "o"),
+    "material": ("#D81B60", "h"),
+    "samples": ("#D81B60", "h"),
+    "smooth": ("#6B8E23", "H"),
     "descent": ("#1677BD", "s"),
     "dual Newton": ("#8C6BB1", "p"),
     "Jakob & Hanika 2019": ("#D55E00", "^"),

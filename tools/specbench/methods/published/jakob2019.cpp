@@ -8,7 +8,6 @@
 namespace specbake::bench {
 namespace {
 
-constexpr double kCoefficientLimit = 200;
 constexpr double kSolved = 1e-9;  // CIELAB difference
 constexpr int kMaxIterations = 100;
 
@@ -77,26 +76,24 @@ Trial evaluate(const SigmoidCoefficients& c, const Lab& target, const Observer& 
             colorDerivative * labDerivative(XYZ(color), white)};
 }
 
-/// The authors keep |c_k| ≤ 200 by scaling all three: the spectrum keeps its shape.
-SigmoidCoefficients limited(SigmoidCoefficients c) {
-    const double largest = std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2])});
-    if (largest > kCoefficientLimit) {
-        for (double& v : c) v *= kCoefficientLimit / largest;
-    }
-    return c;
-}
-
-/// −(J Jᵀ + damping diag(J Jᵀ))⁻¹ J r added to the coefficients; J as rows of parameters.
+/// −(J Jᵀ + damping 1)⁻¹ J r added to the coefficients; J as rows of parameters. The damping of the
+/// unit matrix, not of the diagonal, keeps coefficients from running away where a spectrum is
+/// nearly 0 or 1 and its colour hardly depends on them.
 SigmoidCoefficients stepped(const Trial& at, double damping) {
     Imath::M33d normal = at.jacobian * at.jacobian.transposed();
-    for (int k = 0; k < 3; ++k) normal[k][k] *= 1 + damping;
+    for (int k = 0; k < 3; ++k) normal[k][k] += damping;
     const Imath::V3d gradient = at.residual * at.jacobian.transposed();
     const Imath::V3d step = gradient * normal.inverse();
-    return limited(
-        {at.coefficients[0] - step.x, at.coefficients[1] - step.y, at.coefficients[2] - step.z});
+    return {at.coefficients[0] - step.x, at.coefficients[1] - step.y, at.coefficients[2] - step.z};
 }
 
 }  // namespace
+
+double sigmoidInverse(double y) {
+    constexpr double least = 4e-9;  // S(-8192)
+    const double s = std::clamp(y, least, 1 - least);
+    return (s - 0.5) / std::sqrt(s * (1 - s));
+}
 
 Spectrum sigmoidSpectrum(const SigmoidCoefficients& c) {
     Spectrum s;
@@ -128,9 +125,8 @@ Reconstruction Jakob2019Direct::reconstruct(const XYZ& color) const {
     constexpr double arrived = 1e-3;
     SigmoidFit fit = fitSigmoid(color, frame().observer);
     if (fit.labError > arrived) {
-        const double Y = std::clamp(color.y, 1e-9, 1 - 1e-9);
-        const SigmoidCoefficients grey{0, 0, (Y - 0.5) / std::sqrt(Y * (1 - Y))};  // S(c_2) = Y
-        const SigmoidFit other = fitSigmoid(color, frame().observer, limited(grey));
+        const SigmoidFit other =
+            fitSigmoid(color, frame().observer, {0, 0, sigmoidInverse(color.y)});
         if (other.labError < fit.labError) fit = other;
     }
     return {sigmoidSpectrum(fit.coefficients), fit.labError <= visible};

@@ -17,8 +17,14 @@ namespace specbake::bench {
 /// |--------------|--------------|----------------------------------------------|
 /// | XYZ          | the solid    | Y of white = 1                               |
 /// | spectrum     | (0, 1)       | 1 = perfect reflector; white only in a limit |
-/// | coefficients | [-200, 200]  | as the authors limit them                    |
+/// | coefficients | any          |                                              |
+///
+/// What the authors' program of 2026 does is done here too: Levenberg-Marquardt instead of the
+/// paper's Gauss-Newton, no limit of coefficients, and greys in closed form.
 using SigmoidCoefficients = std::array<double, 3>;
+
+/// The x with S(x) = y; ±8192 at 0 and 1, where S is 0 and 1 to a float.
+double sigmoidInverse(double y);
 
 Spectrum sigmoidSpectrum(const SigmoidCoefficients& c);
 

@@ -96,6 +96,7 @@ void Jakob2019Table::setUp() {
 Jakob2019Table::Coefficients Jakob2019Table::lookUp(const Imath::V3f& rgb) const {
     const Imath::V3f c(std::clamp(rgb.x, 0.0F, 1.0F), std::clamp(rgb.y, 0.0F, 1.0F),
                        std::clamp(rgb.z, 0.0F, 1.0F));
+    if (c.x == c.y && c.y == c.z) return {0, 0, float(sigmoidInverse(double(c.x)))};
     const int largest = largestComponent(c);
     const float b = c[largest];
     const float inverse = b > 0 ? 1 / b : 0;

@@ -10,7 +10,7 @@ namespace specbake::bench {
 /// cubes of resolution³, one for each largest component. Along the axis of the largest component z
 /// the nodes are at smoothstep(smoothstep(k / (n − 1))), dense near 0 and 1; the two others, in
 /// cyclic order after the largest, are indexed evenly as fractions of it. Coefficients are
-/// interpolated trilinearly, in float, as the authors' lookup does.
+/// interpolated trilinearly, in float, as the authors' lookup does; greys are a closed form.
 ///
 /// | quantity | domain    | scale                            |
 /// |----------|-----------|----------------------------------|
