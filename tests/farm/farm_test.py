@@ -69,12 +69,9 @@ def checksums(folder):
             for path in sorted(folder.glob("*.exr"))}
 
 
-def submit(cluster, tiles, out, options, program, nodes=None):
+def submit(cluster, tiles, out, options, program):
     words = ["sbatch", "--parsable", f"--array=1-{TASKS}", f"--output={out.parent}/log/%A_%a.log",
              f"--export=ALL,SPECBAKE={program},SPECBAKE_THREADS=0"]
-    unused = [node for node in cluster.nodes if nodes and node not in nodes]
-    if unused:
-        words.append(f"--exclude={','.join(unused)}")
     job = cluster.call(*words, str(JOB), str(tiles), str(out), *options).strip()
     last = cluster.call("sbatch", "--parsable", f"--dependency=afterany:{job}",
                         f"--output={out.parent}/log/status-%j.log", "--wrap",
@@ -197,26 +194,37 @@ def run_test(program, folder):
     return all(good)
 
 
+def timed(cluster, words):
+    """Seconds until all tasks of what is submitted are over."""
+    begin = time.monotonic()
+    job = cluster.call("sbatch", "--parsable", f"--array=1-{TASKS}", *words).strip()
+    while cluster.tasks(job):
+        time.sleep(0.1)
+    return time.monotonic() - begin
+
+
 def run_measure(program, folder, side):
+    """An array by the model: what one process takes, shared by the nodes, and an empty array."""
     log = Log()
     tiles = make_tiles(folder, [side])
     (folder / "log").mkdir()
     log(f"{TILES} tiles of {side} x {side}")
+    begin = time.monotonic()
+    subprocess.run([program, "bake", "-q", f"@{tiles}", "-o", folder / "alone", "-j", "1"])
+    alone = time.monotonic() - begin
+    log(f"one process of one thread: {alone:.1f} s")
     with slurm.Slurm(folder / "slurm", ["n1", "n2"]) as cluster:
-        for nodes in (["n1"], ["n1", "n2"]):
-            out = folder / f"out{len(nodes)}"
-            begin = time.monotonic()
-            job, last = submit(cluster, tiles, out, [], program, nodes)
-            while cluster.tasks(job):
-                time.sleep(0.1)
-            wall = time.monotonic() - begin
-            run_out(cluster, [last], lambda _: None)
-            lines = [line for _, _, line in lines_of(out)]
-            size = sum(path.stat().st_size for path in out.glob("*.exr"))
-            log(f"{len(nodes)} nodes: {wall:.2f} s by the clock, "
-                f"{sum(line['seconds'] for line in lines):.2f} s of bakes, "
-                f"{sum(line['texels'] for line in lines) / 1e6:.1f} million texels, "
-                f"{size / 1e6:.0f} MB")
+        for count in (1, 2):
+            where = [] if count == 2 else ["--exclude=n2"]
+            where.append(f"--output={folder}/log/%A_%a.log")
+            out = folder / f"out{count}"
+            empty = timed(cluster, [*where, "--wrap", "true"])
+            took = timed(cluster, [*where, f"--export=ALL,SPECBAKE={program}", str(JOB),
+                                   str(tiles), str(out)])
+            model = alone / count + empty
+            log(f"nodes: {count}; by the model {alone:.1f} / {count} + {empty:.1f} (an empty array) "
+                f"= {model:.1f} s; measured {took:.1f} s")
+            subprocess.run([HERE.parent.parent / "tools" / "farm" / "merge_stats", out])
     return True
 
 
