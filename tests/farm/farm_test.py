@@ -115,8 +115,9 @@ class Log:
 def disturb(cluster, job, out, log):
     """In the midst of a task each: one is requeued, the other loses its node."""
     for node, what in (("n1", "requeue"), ("n2", "lose")):
-        cluster.wait(lambda: done_by(out, running(cluster, job, node)) >= 2, 60,
-                     f"{node} is in the midst of a task")
+        def in_midst(node=node):
+            return 2 <= done_by(out, running(cluster, job, node)) <= TILES // TASKS - 4
+        cluster.wait(in_midst, 60, f"{node} is in the midst of a task")
         task = running(cluster, job, node)
         log(f"task {task} has {done_by(out, task)} of its tiles on {node}: "
             f"{'requeued' if what == 'requeue' else 'the node is lost'}")
@@ -129,7 +130,8 @@ def disturb(cluster, job, out, log):
 def run_out(cluster, jobs, log):
     """Until nothing of them is left; what is new is told."""
     told = {}
-    while True:
+    deadline = time.monotonic() + 300
+    while time.monotonic() < deadline:
         states = {node: state.rstrip("*") for node, state in cluster.states().items()}
         tasks = {job: cluster.tasks(job) for job in jobs}
         if states != told:
@@ -139,6 +141,7 @@ def run_out(cluster, jobs, log):
             return
         cluster.hasten(jobs[0])
         time.sleep(0.2)
+    raise TimeoutError(f"300 s, and still not over: {tasks}")
 
 
 def check(what, holds):
