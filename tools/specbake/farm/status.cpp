@@ -4,7 +4,6 @@
 #include "batch/side_by_side.h"
 
 #include <specbake/bake/model_cache.h>
-#include <specbake/core/error.h>
 
 #include <algorithm>
 #include <exception>
@@ -60,14 +59,12 @@ std::vector<ItemStatus> statusOf(std::span<const BatchItem> items, BakeOptions o
     std::vector<std::size_t> numbers(items.size());
     std::iota(numbers.begin(), numbers.end(), std::size_t(0));
     sideBySide(numbers, options.threads, [&](std::size_t i) {
-        if (options.stop.stop_requested()) return;
         all[i] = statusOf(items[i], options, check);
         const bool open = all[i].standing != Standing::done;
         if (const auto reason = open ? records.failure(items[i]) : std::nullopt) {
             all[i] = {Standing::failed, *reason};
         }
     });
-    if (options.stop.stop_requested()) throw Cancelled();
     return all;
 }
 

@@ -29,7 +29,7 @@ struct ItemStatus {
 /// "done", "missing", "out of date", "failed"
 const char* standingName(Standing standing);
 
-/// How each of the items stands. Nothing is written. Throws Cancelled.
+/// How each of the items stands. Nothing is written.
 std::vector<ItemStatus> statusOf(std::span<const BatchItem> items, BakeOptions options,
                                  SourceCheck check, const Records& records);
 

@@ -6,10 +6,7 @@
 #include "commands.h"
 #include "farm/records.h"
 #include "farm/status.h"
-#include "stop_signals.h"
 #include "thread_pool.h"
-
-#include <specbake/core/error.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -60,17 +57,10 @@ BatchStatus look(const Arguments& a) {
     std::vector<std::string> unused;
     BakeOptions options = a.bake.options(unused);
     const ThreadPool pool(options.threads);
-    StopSignals signals;
-    options.stop = signals.token();
-    try {
-        const Records records(recordsFolder(names.folder()));
-        status.all = statusOf(status.items, options,
-                              a.quick ? SourceCheck::length : SourceCheck::bytes, records);
-        status.leftovers = leftovers(status.items);
-    } catch (const Cancelled&) {
-        signals.passOn();
-        throw;
-    }
+    const Records records(recordsFolder(names.folder()));
+    status.all = statusOf(status.items, options, a.quick ? SourceCheck::length : SourceCheck::bytes,
+                          records);
+    status.leftovers = leftovers(status.items);
     return status;
 }
 
