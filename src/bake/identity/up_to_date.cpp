@@ -27,7 +27,12 @@ std::string differenceOf(std::string made, std::string wanted) {
     while (!made.empty() || !wanted.empty()) {
         const std::string was = takePart(made);
         const std::string now = takePart(wanted);
-        if (was != now) return "made of '" + was + "', which is '" + now + "' now";
+        if (was == now) continue;
+        return std::string("made of '")
+            .append(was)
+            .append("', which is '")
+            .append(now)
+            .append("' now");
     }
     return "made otherwise";
 }
