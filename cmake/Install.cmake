@@ -30,6 +30,11 @@ endfunction()
 install_library(core)
 install_pkg_config(core "Colours to reflectance spectra" "Imath" "libhwy" "")
 set(components core)
+# Linked where it was found (src/image/CMakeLists.txt).
+set(color_config_module "")
+if(OpenColorIO_FOUND)
+  set(color_config_module OpenColorIO)
+endif()
 if(NOT SPECBAKE_CORE_ONLY)
   list(APPEND components image bake)
   set(seam specbake_openimageio)
@@ -39,7 +44,7 @@ if(NOT SPECBAKE_CORE_ONLY)
   install_library(image ${seam})
   install_library(bake)
   install_pkg_config(image "Textures and spectral images" "specbake-core"
-    "OpenImageIO OpenEXR libhwy libjpeg libpng libtiff-4 lcms2 libdeflate"
+    "OpenImageIO OpenEXR libhwy libjpeg libpng libtiff-4 lcms2 libdeflate ${color_config_module}"
     "-lspecbake_openimageio -lspecbake_image")
   install_pkg_config(bake "Textures to spectral images" "specbake-image" "tbb" "")
 endif()

@@ -1,5 +1,8 @@
 #include "attributes.h"
 
+#include "identity/identity.h"
+#include "identity/sha1.h"
+
 #include <specbake/version.h>
 
 #include <fmt/format.h>
@@ -17,6 +20,10 @@ void addMeaning(const ColorMeaning& meaning, Attributes& all) {
     put(all, "specbake:colorspace", space.name);
     put(all, "specbake:colorsource", std::string(colorSourceName(meaning.source)));
     if (!meaning.profile.empty()) put(all, "specbake:iccprofile", meaning.profile);
+    if (meaning.source == ColorSource::config) {
+        put(all, "specbake:configspace", meaning.configSpace);
+        put(all, "specbake:confighash", meaning.configHash);
+    }
     if (findColorSpace(space.name) != nullptr) return;
     put(all, "specbake:primaries", primariesText(*space.primaries));
     if (!meaning.curves) put(all, "specbake:transfer", transferName(space.transfer));
@@ -85,6 +92,11 @@ void addSecond(Attributes& attributes, const std::string& light,
                const std::filesystem::path& image) {
     attributes["specbake:secondIlluminant"] = light;
     attributes["specbake:secondImage"] = image.filename().string();
+}
+
+void addIdentity(Attributes& attributes, const std::string& identity, const BakeOptions& options) {
+    attributes[kIdentityAttribute] = identity;
+    if (options.storage.isTiled()) attributes["oiio:SHA-1"] = sha1(identity);
 }
 
 void addChosen(Attributes& attributes, const BakeOptions& options) {

@@ -35,4 +35,8 @@ void addSecond(Attributes& attributes, const std::string& light,
 /// marks of maketx (its kind of texture; black beyond its edges), and the attributes of one's own.
 void addChosen(Attributes& attributes, const BakeOptions& options);
 
+/// What the file was made of and how; of tiled files also the fingerprint by which OpenImageIO
+/// knows files of the same pixels, `oiio:SHA-1`: of this text, as pixels are the same where it is.
+void addIdentity(Attributes& attributes, const std::string& identity, const BakeOptions& options);
+
 }  // namespace specbake::internal

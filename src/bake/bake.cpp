@@ -67,7 +67,8 @@ class Job {
 
     /// Of a texture with that fingerprint.
     std::string identity(const std::string& source) const {
-        return bakeIdentity(source, *models_->model(meaning_.space, options_.model), options_);
+        return bakeIdentity(source, *models_->model(meaning_.space, options_.model), meaning_,
+                            options_);
     }
 
     BakeStatistics run(SpectralSink& sink) {
@@ -183,7 +184,7 @@ BakeStatistics bakeToFile(Texture& texture, const std::optional<std::string>& so
     return timed([&] {
         Job job(texture, options);
         SpectralHeader header = job.header();
-        if (source) header.attributes[kIdentityAttribute] = job.identity(*source);
+        if (source) addIdentity(header.attributes, job.identity(*source), options);
         SpectralWriter writer(output, header, options.storage);
         BakeStatistics statistics = job.run(writer);
         writer.commit();

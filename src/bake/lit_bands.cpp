@@ -14,8 +14,10 @@ LitBands litBands(const std::string& path, const SpectralReader& reader,
                   const RelightOptions& options) {
     const Quadrature quadrature =
         options.quadrature ? *options.quadrature : statedQuadrature(path, reader);
-    const auto lit = readerWeights(path, reader, options.illuminant, quadrature);
+    const auto lit = readerWeights(path, reader, options.illuminant, quadrature,
+                                   options.observer.value_or(statedObserver(path, reader)));
     const XYZ litWhite = whiteOf(lit);
+    // The screen's colours are those that the usual observer sees.
     const XYZ daylight = whiteOf(readerWeights(path, reader, "D65", quadrature));
     const Imath::M33d shown = xyzFromRGB(*findColorSpace("lin_rec709"), daylight).inverse();
     const Imath::M33d rgbFromXYZ = adaptation(litWhite, daylight, options.adapt) * shown;

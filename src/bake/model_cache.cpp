@@ -8,9 +8,10 @@ namespace {
 
 /// All members: one that is added does not compile until it is compared.
 auto allOf(const UpsamplerOptions& options) {
-    const auto& [illuminant, adapt, method, material, samples, quadrature, bands, outside, grid] =
-        options;
-    return std::tie(illuminant, adapt, method, material, samples, quadrature, bands, outside, grid);
+    const auto& [illuminant, observer, adapt, method, material, samples, quadrature, bands, outside,
+                 grid] = options;
+    return std::tie(illuminant, observer, adapt, method, material, samples, quadrature, bands,
+                    outside, grid);
 }
 
 auto allOf(const ColorSpace& space) {

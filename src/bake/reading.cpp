@@ -31,6 +31,14 @@ Quadrature statedQuadrature(const std::string& path, const SpectralReader& spect
     throw FileError(path, "specbake:quadrature is '" + *stated + "', which is not known");
 }
 
+std::string statedObserver(const std::string& path, const SpectralReader& spectral) {
+    const auto stated = spectral.text("specbake:observer");
+    if (!stated) return std::string(kUsualObserver);
+    if (isObserver(*stated)) return *stated;
+    throw FileError(path, "specbake:observer is '" + std::string(observerLabel(*stated)) +
+                              "', which is not known");
+}
+
 Wavelengths modelBands(const SpectralReader& spectral) {
     const std::vector<double>& nm = spectral.wavelengths();
     if (nm.size() < 2) return {};
@@ -50,15 +58,18 @@ XYZ whiteOf(const std::vector<Imath::V3d>& weights) {
 }
 
 std::vector<Imath::V3d> readerWeights(const std::string& path, const SpectralReader& spectral,
-                                      std::string_view illuminant, Quadrature quadrature) {
-    if (quadrature == Quadrature::fine) return fineWeights(illuminant, spectral.wavelengths());
+                                      std::string_view illuminant, Quadrature quadrature,
+                                      std::string_view observer) {
+    if (quadrature == Quadrature::fine) {
+        return fineWeights(illuminant, spectral.wavelengths(), observer);
+    }
     if (!isUsual(spectral)) {
         throw FileError(path,
                         "the sum over the bands is that of 380 to 780 nm every 5 nm; these "
                         "bands are read by the quadrature 'fine'");
     }
-    const Observer observer(illuminant);
-    return {observer.weights().begin(), observer.weights().end()};
+    const Observer reader(illuminant, quadrature, {}, observer);
+    return {reader.weights().begin(), reader.weights().end()};
 }
 
 }  // namespace specbake::internal

@@ -21,11 +21,16 @@ Quadrature statedQuadrature(const std::string& path, const SpectralReader& spect
 /// the usual 81.
 Wavelengths modelBands(const SpectralReader& spectral);
 
-/// What each band of a file gives to a reader of that quadrature, under a light (quadrature.h).
-/// Throws FileError where the sum over the bands is asked of others than the usual 81,
-/// ArgumentError for an unknown light.
+/// The observer for whom a file says that its colours hold (quadrature.h); of a file that says
+/// nothing, the usual one. Throws FileError for one that is not known.
+std::string statedObserver(const std::string& path, const SpectralReader& spectral);
+
+/// What each band of a file gives to a reader of that quadrature, under a light, to an observer
+/// (quadrature.h). Throws FileError where the sum over the bands is asked of others than the usual
+/// 81, ArgumentError for an unknown light or observer.
 std::vector<Imath::V3d> readerWeights(const std::string& path, const SpectralReader& spectral,
-                                      std::string_view illuminant, Quadrature quadrature);
+                                      std::string_view illuminant, Quadrature quadrature,
+                                      std::string_view observer = kUsualObserver);
 
 /// The perfect reflector, as that reader sees it: the sum of the weights.
 XYZ whiteOf(const std::vector<Imath::V3d>& weights);

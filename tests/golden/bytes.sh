@@ -4,7 +4,7 @@
 #
 # A line of RECORD is a hash and a case: a texture, and options. Cases of ../shared are passed over
 # where the folder is not there. The attribute specbake:identity, a sentence that is worded anew with
-# every option that comes, is left out of the hash. Exit code 1 if any file has other bytes, or cannot be made;
+# every option that comes, is left out of the hash, and so is oiio:SHA-1, which is made of it. Exit code 1 if any file has other bytes, or cannot be made;
 # --record writes the hashes anew. The bytes are those of a processor with fused multiply-adds.
 set -uo pipefail
 specbake=$(realpath "$1")

@@ -1,7 +1,8 @@
-"""Writes an EXR to standard output without its attribute specbake:identity:  without_identity.py FILE
+"""Writes an EXR to standard output without its attributes specbake:identity and oiio:SHA-1, which is a
+hash of that:  without_identity.py FILE
 
-What is left are the bytes that the file would have if it had never had the attribute: it is cut out
-of the header (OpenEXR file layout: name, type, size, value), and the offsets of the chunks, which
+What is left are the bytes that the file would have if it had never had them: each is cut out of the
+header (OpenEXR file layout: name, type, size, value), and the offsets of the chunks, which
 count from the start of the file, are lowered by as much.
 """
 import struct
@@ -15,7 +16,7 @@ def text(data, at):
     return data[at:end], end + 1
 
 
-def header(data):
+def header(data, wanted):
     """Where the attribute begins and ends, nothing if there is none; and where the header ends."""
     found, at = None, MAGIC_AND_VERSION
     while data[at]:
@@ -24,7 +25,7 @@ def header(data):
         _, at = text(data, at)
         (size,) = struct.unpack_from("<i", data, at)
         at += 4 + size
-        if name == b"specbake:identity":
+        if name == wanted:
             found = begin, at
     return found, at + 1
 
@@ -39,8 +40,8 @@ def offsets(data, begin):
     return entries, at
 
 
-def without(data):
-    found, end = header(data)
+def without(data, name):
+    found, end = header(data, name)
     if not found:
         return data
     begin, after = found
@@ -51,4 +52,7 @@ def without(data):
 
 
 with open(sys.argv[1], "rb") as file:
-    sys.stdout.buffer.write(without(file.read()))
+    data = file.read()
+for attribute in (b"specbake:identity", b"oiio:SHA-1"):
+    data = without(data, attribute)
+sys.stdout.buffer.write(data)

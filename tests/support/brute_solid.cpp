@@ -30,10 +30,17 @@ struct Merged {
     Imath::V3d weight;
 };
 
-std::vector<Merged> mergeBands(const Observer& observer) {
+/// Rows of 5 nm from 380 to 780, whatever rows there are between.
+bool isBand(const std::string& nm) {
+    const double at = std::stod(nm);
+    return at >= 380 && at <= 780 && std::fmod(at, 5) == 0;
+}
+
+std::vector<Merged> mergeBands(const Observer& observer, const std::string& table) {
     std::vector<Merged> merged;
     std::size_t band = 0;
-    for (const auto& row : readCsv("data/cie1931_2deg_5nm.csv")) {
+    for (const auto& row : readCsv(table)) {
+        if (!isBand(row[0])) continue;
         ExactVector v;
         for (std::size_t i = 0; i < 3; ++i) v[i] = std::llround(std::stod(row[i + 1]) * 1e10);
         const Imath::V3d w = observer.weights()[band++];
@@ -56,8 +63,9 @@ Imath::V3d nearestOnSegment(const Imath::V3d& p, const Imath::V3d& a, const Imat
 
 }  // namespace
 
-BruteSolid::BruteSolid(const Observer& observer) : white_(observer.white()) {
-    const std::vector<Merged> merged = mergeBands(observer);
+BruteSolid::BruteSolid(const Observer& observer, const std::string& table)
+    : white_(observer.white()) {
+    const std::vector<Merged> merged = mergeBands(observer, table);
     for (const Merged& m : merged) {
         vectors_.push_back(m.weight);
         if (m.exact[2] == 0) red_.push_back(m.weight);

@@ -2,6 +2,7 @@
 
 #include <specbake/core/observer.h>
 
+#include <string>
 #include <vector>
 
 namespace specbake::testing {
@@ -10,7 +11,9 @@ namespace specbake::testing {
 /// by the printed table, every pair a face, every question put to every face.
 class BruteSolid {
   public:
-    explicit BruteSolid(const Observer& observer);
+    /// `table`: the file of the observer's colour-matching functions, every 5 nm.
+    explicit BruteSolid(const Observer& observer,
+                        const std::string& table = "data/cie1931_2deg_5nm.csv");
 
     /// Triples of generators, not all with Z = 0, that lie in one plane.
     int coplanarTriples() const { return coplanarTriples_; }

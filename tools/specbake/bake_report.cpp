@@ -103,12 +103,14 @@ void writePage(const std::string& page, const std::string& input, const std::str
     report.verify.read = options.read;
     report.verify.color = options.color;
     report.verify.threads = options.threads;
-    report.facts = {{"texels", std::to_string(s.texels)},
+    report.facts = {{"colours are", s.space + " (" + s.colorReason + ")"},
+                    {"texels", std::to_string(s.texels)},
                     {"texels outside the solid", std::to_string(s.outsideTexels)},
                     {"furthest moved, CIEDE2000", fmt::format("{:.3g}", s.largestMove)},
                     {"texels solved one by one", std::to_string(s.directTexels)},
                     {"nodes solved", std::to_string(s.nodesSolved)},
                     {"seconds", fmt::format("{:.2f}", s.seconds)}};
+    for (const std::string& note : s.notes) report.facts.emplace_back("remark", note);
     writeReport(output, input, page, report);
 }
 

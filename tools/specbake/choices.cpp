@@ -5,7 +5,6 @@
 #include <specbake/core/error.h>
 #include <specbake/core/methods.h>
 #include <specbake/core/observer.h>
-#include <specbake/image/light_file.h>
 #include <specbake/image/measured_file.h>
 
 #include <algorithm>
@@ -33,17 +32,11 @@ std::vector<std::string> adaptationNames() {
     return names;
 }
 
-bool namesFile(const std::string& light) {
-    std::error_code ignored;
-    return light.find_first_of("./") != std::string::npos ||
-           std::filesystem::exists(light, ignored);
-}
-
-/// A check that words can be read in one place of the wishes, or are "auto" where that is offered.
-CLI::Validator wishCheck(std::optional<std::string> ColorWishes::*part, bool automatic = false) {
-    const auto check = [part, automatic](std::string& text) {
+/// A check that words can be read in one place of the wishes.
+CLI::Validator wishCheck(std::optional<std::string> ColorWishes::*part) {
+    const auto check = [part](std::string& text) {
         ColorWishes wishes;
-        if (!automatic || text != "auto") wishes.*part = text;
+        wishes.*part = text;
         std::string problem;
         return wishes.isValid(&problem) ? std::string() : problem;
     };
@@ -100,7 +93,10 @@ std::string compressionWords() {
 }  // namespace
 
 ColorWishes ColorArguments::wishes() const {
-    return {unlessAuto(space), transfer, primaries};
+    ColorWishes wishes{unlessAuto(space), transfer, primaries, config};
+    std::string reason;
+    if (!wishes.isValid(&reason)) throw ArgumentError("--space: " + reason);
+    return wishes;
 }
 
 void addSpaceOptions(CLI::App& command, ColorArguments& arguments, const std::string& automatic) {
@@ -110,7 +106,6 @@ void addSpaceOptions(CLI::App& command, ColorArguments& arguments, const std::st
         .add_option("--space", arguments.space,
                     "what the numbers mean, by name or another name of it (docs/color.md): " +
                         joined(names) + (automatic.empty() ? "" : "; auto: " + automatic))
-        ->check(wishCheck(&ColorWishes::space, !automatic.empty()))
         ->capture_default_str();
     command
         .add_option("--primaries", arguments.primaries,
@@ -127,6 +122,15 @@ void addColorOptions(CLI::App& command, ColorArguments& arguments, const std::st
         ->check(wishCheck(&ColorWishes::transfer));
 }
 
+void addConfigOption(CLI::App& command, ColorArguments& arguments) {
+    command
+        .add_option("--colorconfig", arguments.config,
+                    "a configuration of OpenColorIO: --space then takes its spaces and roles, and "
+                    "auto asks its file rules, all but the default one, before what the file says")
+        ->envname("OCIO")
+        ->type_name("FILE.ocio");
+}
+
 CLI::Validator adaptationCheck() {
     return CLI::IsMember(adaptationNames());
 }
@@ -138,6 +142,15 @@ std::optional<std::string> unlessAuto(const std::string& name) {
 
 std::vector<std::string> ModelArguments::materials() const {
     return material.empty() ? std::vector<std::string>{} : CLI::detail::split(material, ',');
+}
+
+Wavelengths BandArguments::bands() const {
+    return wavelengths ? parseWavelengths(*wavelengths) : Wavelengths();
+}
+
+Quadrature BandArguments::usedQuadrature() const {
+    if (quadrature) return quadratureFromName(*quadrature).value();
+    return wavelengths ? Quadrature::fine : Quadrature::bands;
 }
 
 UpsamplerOptions ModelArguments::options(std::vector<std::string>& notes) const {
@@ -154,11 +167,9 @@ UpsamplerOptions ModelArguments::options(std::vector<std::string>& notes) const 
     options.method = method;
     options.outside = outsideFromName(outside).value();
     options.adapt = adaptationFromName(adapt).value();
-    if (wavelengths) {
-        options.bands = parseWavelengths(*wavelengths);
-        options.quadrature = Quadrature::fine;
-    }
-    if (quadrature) options.quadrature = quadratureFromName(*quadrature).value();
+    options.observer = observer;
+    options.bands = reader.bands();
+    options.quadrature = reader.usedQuadrature();
     std::string reason;
     if (!options.isValid(&reason)) throw ArgumentError(reason);
     return options;
@@ -170,6 +181,9 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::st
              "power; auto: " +
                  white,
              true);
+    addObserver(command, arguments.observer,
+                "who sees the colours so: the CIE's observer of 2 degrees (1931, the default) or "
+                "of 10 (1964), or a file with a table: nm, x, y, z");
     command
         .add_option("--adapt", arguments.adapt,
                     "how colours of a space with another white are adapted to the light")
@@ -187,6 +201,10 @@ void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::st
         "--samples", arguments.samples,
         "measured spectra of yours, on top of the method: at their colours spectra are "
         "theirs. CSV, a sample or a wavelength a row, or CGATS");
+    addBandOptions(command, arguments.reader);
+}
+
+void addBandOptions(CLI::App& command, BandArguments& arguments) {
     command
         .add_option("--quadrature", arguments.quadrature,
                     "the reader for whom colours are exact: one who sums the 81 bands (bands, the "
@@ -281,37 +299,6 @@ std::vector<std::string> sampleTypeNames() {
     std::vector<std::string> names;
     for (const SampleType type : kSampleTypes) names.emplace_back(sampleTypeName(type));
     return names;
-}
-
-/// Those that are offered; of the further ones the series.
-std::string lightWords(bool automatic) {
-    std::string words = automatic ? "{auto" : "{";
-    for (const std::string& name : illuminantNames()) words += (words == "{" ? "" : ",") + name;
-    return words + "}, F1-F12, F3.1-F3.15, HP1-HP5, LED-..., ID50, ID65 or FILE";
-}
-
-std::string lightFrom(const std::string& word) {
-    if (isIlluminant(word)) return word;
-    if (namesFile(word)) return readLight(word);
-    std::vector<std::string> names = illuminantNames();
-    std::ranges::copy(furtherIlluminantNames(), std::back_inserter(names));
-    throw ArgumentError("no light and no file is called '" + word + "'" + suggestion(word, names));
-}
-
-CLI::Validator knownLight(bool automatic) {
-    const auto toLight = [automatic](std::string& word) {
-        if (!automatic || word != "auto") word = lightFrom(word);
-        return std::string();
-    };
-    return CLI::Validator(toLight, "");
-}
-
-CLI::Option* addLight(CLI::App& command, std::string& light, const std::string& description,
-                      bool automatic) {
-    return command.add_option("--illuminant", light, description)
-        ->transform(knownLight(automatic))
-        ->type_name(lightWords(automatic))
-        ->capture_default_str();
 }
 
 CLI::Validator isFinite() {

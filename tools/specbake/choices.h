@@ -1,5 +1,7 @@
 #pragma once
 
+#include "light/light_choices.h"
+
 #include <specbake/core/upsampler.h>
 #include <specbake/image/color_meaning.h>
 #include <specbake/image/spectral_layout.h>
@@ -19,7 +21,9 @@ struct ColorArguments {
     std::string space = "auto";
     std::optional<std::string> transfer;
     std::optional<std::string> primaries;
+    std::optional<std::string> config;
 
+    /// Throws ArgumentError for a space that is not known.
     ColorWishes wishes() const;
 };
 
@@ -29,22 +33,35 @@ void addSpaceOptions(CLI::App& command, ColorArguments& arguments, const std::st
 /// The same, and `--transfer`.
 void addColorOptions(CLI::App& command, ColorArguments& arguments, const std::string& automatic);
 
+/// `--colorconfig`, or $OCIO
+void addConfigOption(CLI::App& command, ColorArguments& arguments);
+
 /// For `--adapt`.
 CLI::Validator adaptationCheck();
 
 /// Nothing for "auto".
 std::optional<std::string> unlessAuto(const std::string& name);
 
+/// What reads the spectra, as words of the command line.
+struct BandArguments {
+    std::optional<std::string> quadrature;   ///< none: fine with --wavelengths, else bands
+    std::optional<std::string> wavelengths;  ///< START:STOP:STEP
+
+    /// Throw ArgumentError for wavelengths that cannot be.
+    Wavelengths bands() const;
+    Quadrature usedQuadrature() const;
+};
+
 /// How colours become spectra, as words of the command line.
 struct ModelArguments {
     std::string illuminant = "auto";
+    std::string observer{kUsualObserver};
     std::string method = UpsamplerOptions().method;
     std::string material;  ///< "" for none; several with commas
     std::string samples;   ///< a file, "" for none
     std::string outside{outsideName(UpsamplerOptions().outside)};
     std::string adapt{adaptationName(UpsamplerOptions().adapt)};
-    std::optional<std::string> quadrature;   ///< none: fine with --wavelengths, else bands
-    std::optional<std::string> wavelengths;  ///< START:STOP:STEP
+    BandArguments reader;
 
     /// The options with all else as it is by default. Reads the samples; what there is to tell of
     /// their file is added to `notes`. Throws FileError, and ArgumentError for several materials or
@@ -53,9 +70,12 @@ struct ModelArguments {
     std::vector<std::string> materials() const;
 };
 
-/// `--illuminant`, `--adapt`, `--method`, `--material`, `--samples`, `--quadrature`,
+/// `--illuminant`, `--observer`, `--adapt`, `--method`, `--material`, `--samples`, `--quadrature`,
 /// `--wavelengths`. `white`: what "auto" means for the light.
 void addModelOptions(CLI::App& command, ModelArguments& arguments, const std::string& white);
+
+/// `--quadrature`, `--wavelengths`
+void addBandOptions(CLI::App& command, BandArguments& arguments);
 
 /// `--outside`
 void addOutsideOption(CLI::App& command, ModelArguments& arguments);
@@ -87,20 +107,6 @@ void parseCompression(const std::string& text, StorageOptions& storage);
 /// Throws ArgumentError.
 SampleType parseSampleType(const std::string& name);
 std::vector<std::string> sampleTypeNames();
-
-/// Those that are offered, for help.
-std::string lightWords(bool automatic);
-
-/// The name of a light, or the light in the file of that name, as a text that stands for a name
-/// everywhere (lightText()). Throws ArgumentError, FileError.
-std::string lightFrom(const std::string& word);
-
-/// A check of a light's name that takes it from a file, where it names one.
-CLI::Validator knownLight(bool automatic);
-
-/// `--illuminant`: what lightFrom() takes. `automatic`: whether it may be "auto", too.
-CLI::Option* addLight(CLI::App& command, std::string& light, const std::string& description,
-                      bool automatic);
 
 /// A check that a number is one: it passes neither "nan" nor "inf".
 CLI::Validator isFinite();

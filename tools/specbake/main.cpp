@@ -2,6 +2,7 @@
 #include "help/help_commands.h"
 #include "help/help_formatter.h"
 #include "help/help_texts.h"
+#include "help/option_facts.h"
 #include "help/suggestions.h"
 #include "help/version_text.h"
 
@@ -13,11 +14,19 @@
 #include <exception>
 #include <map>
 #include <new>
+#include <string>
+#include <vector>
 
 using namespace specbake;
 using namespace specbake::tool;
 
 namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text + " (--help tells more)";
+}
 
 int run(int argc, char** argv) {
     CLI::App program("specbake: XYZ and RGB textures to spectral textures", "specbake");
@@ -41,6 +50,7 @@ int run(int argc, char** argv) {
                                                      {"completion", addCompletion(program)},
                                                      {"manual", addManual(program)}};
     addHelpTexts(program);
+    if (argc == 1) throw ArgumentError("a command is wanted: " + listed(commandNames(program)));
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

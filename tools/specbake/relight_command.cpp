@@ -74,6 +74,9 @@ Command addRelight(CLI::App& program) {
         ->transform(knownLight(false))
         ->type_name(lightWords(false))
         ->capture_default_str();
+    addObserver(*command, a->options.observer,
+                "whose eye it is, instead of the observer that the file names: of 2 or 10 degrees, "
+                "or a file with a table");
     command
         ->add_option("--adapt", a->adapt,
                      "how the eye has adapted to the light: white looks white; none shows its tint")

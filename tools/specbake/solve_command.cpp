@@ -60,7 +60,8 @@ ColorAnswer solve(const Arguments& a, const Upsampler& upsampler) {
 /// What is not the sum over the 81 bands stands beside the light.
 std::string lightText(const Observer& observer) {
     const std::string light(lightLabel(observer.illuminant()));
-    return observer.quadrature() == Quadrature::bands ? light : light + ", integrated every 1 nm";
+    const std::string who = light + byWhom(observerLabel(observer.functions()));
+    return observer.quadrature() == Quadrature::bands ? who : who + ", integrated every 1 nm";
 }
 
 /// Of the bands that a reader gets.
@@ -77,6 +78,7 @@ void printJson(const ColorAnswer& answer, const Observer& observer) {
     const nlohmann::ordered_json json = {
         {"status", statusName(r.status)},
         {"illuminant", lightLabel(observer.illuminant())},
+        {"observer", observerLabel(observer.functions())},
         {"quadrature", quadratureName(observer.quadrature())},
         {"asked_xyz", {answer.asked.x, answer.asked.y, answer.asked.z}},
         {"given_xyz", {answer.given.x, answer.given.y, answer.given.z}},

@@ -42,6 +42,7 @@ Json jsonOf(const Verification& v) {
     return {
         {"texels", v.texels},
         {"illuminant", v.illuminant},
+        {"observer", v.observer},
         {"quadrature", quadratureName(v.quadrature)},
         {"de2000", {{"mean", v.meanDE2000}, {"p99", v.p99DE2000}, {"max", v.maxDE2000}}},
         {"xyz_max_abs", v.maxXYZDifference},
@@ -74,9 +75,9 @@ std::string upTo(double difference) {
 
 void printText(const Arguments& a, const Verification& v) {
     std::printf(
-        "%s: %zu texels under %s%s: CIEDE2000 mean %.4f, p99 %.4f, max %.4f at (%zu, %zu); "
+        "%s: %zu texels under %s%s%s: CIEDE2000 mean %.4f, p99 %.4f, max %.4f at (%zu, %zu); "
         "largest |dXYZ| %.2e; %zu samples outside [0, 1]; %zu colours outside the solid\n",
-        a.spectral.c_str(), v.texels, v.illuminant.c_str(),
+        a.spectral.c_str(), v.texels, v.illuminant.c_str(), byWhom(v.observer).c_str(),
         v.quadrature == Quadrature::fine ? ", integrated every 1 nm" : "", v.meanDE2000,
         v.p99DE2000, v.maxDE2000, v.worstX, v.worstY, v.maxXYZDifference, v.outOfRange,
         v.outsideSolid);
@@ -133,9 +134,16 @@ Verification verified(const Arguments& a) {
     return writeReport(a.spectral, a.texture, a.report, page);
 }
 
+bool isExr(const std::string& path) {
+    return path.ends_with(".exr") || path.ends_with(".EXR");
+}
+
 ExitCode verifyCommand(const Arguments& a) {
     if (a.texture.empty() && a.reference.empty()) {
         throw ArgumentError("verify: a texture, or --spectra REFERENCE, is needed to compare with");
+    }
+    if (!isExr(a.spectral) && isExr(a.texture)) {
+        throw ArgumentError("verify: the spectral image comes first, the texture after it");
     }
     const ThreadPool pool(a.options.threads);
     Json json;
@@ -186,10 +194,14 @@ Command addVerify(CLI::App& program) {
         ->needs(spectra);
     addReadOptions(*command, a->read, "else what the spectral file was made of");
     addColorOptions(*command, a->color, "what the spectral image says");
+    addConfigOption(*command, a->color);
     command
         ->add_option("--illuminant", a->options.illuminant,
                      "light, or a file with its spectrum, instead of the one that the file names")
         ->transform(knownLight(false));
+    addObserver(*command, a->options.observer,
+                "observer of 2 or 10 degrees, or a file with a table, instead of the one that the "
+                "file names");
     command->add_option("--adapt", a->adapt, "adaptation, instead of the one that the file names")
         ->check(adaptationCheck());
     command->add_flag("--independent,!--no-independent", a->independent,

@@ -271,8 +271,15 @@ void addContinuity(Figures& figures, const Exhausted& model, std::size_t count) 
 void runExhaustive(const Options& options) {
     Figures figures("exhaustive", options.commandLine("exhaustive"));
     std::size_t failed = 0;
-    for (const char* illuminant : {"D65", "D60", "E"}) {
-        const Observer observer(illuminant);
+    struct Eye {
+        const char* light;
+        const char* functions;
+        const char* name;
+    };
+    for (const auto& [light, functions, illuminant] :
+         {Eye{"D65", "2", "D65"}, Eye{"D60", "2", "D60"}, Eye{"E", "2", "E"},
+          Eye{"D65", "10", "D65, 10 degree"}, Eye{"E", "10", "E, 10 degree"}}) {
+        const Observer observer(light, Quadrature::bands, {}, functions);
         const Solid solid(observer);
         const auto sets = setsOf(observer, solid, options.full ? 100'000 : 10'000);
         for (const Exhausted& model : kExhausted) {

@@ -13,7 +13,7 @@ SecondColors::SecondColors(Texture& itsImage, const TextureInfo& texture,
                            const std::string& light, Adaptation adapt)
     : ImageBeside(itsImage, texture, "a texture under a second light"),
       decoder_(image().info(), meaning),
-      lamp_(first, Observer(light, first.quadrature(), first.bands())),
+      lamp_(first, Observer(light, first.quadrature(), first.bands(), first.functions())),
       xyzFromTexel_(xyzFromRGB(meaning.space, lamp_.second(), adapt)) {}
 
 SecondColors::Answer SecondColors::answer(const Spectrum& base,

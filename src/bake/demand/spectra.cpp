@@ -33,7 +33,8 @@ ColorCensus ModelSpectra::sample(std::span<const Upsampler::Color> colors,
 Observer observerOf(const TableFile& table) {
     if (table.bands().count > kBandCount) throw FileError(table.name(), "more bands than 81");
     try {
-        return Observer(table.fact("illuminant").value_or(""), quadratureOf(table), table.bands());
+        return Observer(table.fact("illuminant").value_or(""), quadratureOf(table), table.bands(),
+                        table.fact("observer").value_or(std::string(kUsualObserver)));
     } catch (const ArgumentError& error) {
         throw FileError(table.name(), error.what());
     }

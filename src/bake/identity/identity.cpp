@@ -98,10 +98,14 @@ std::string described(const Attributes& attributes) {
 }  // namespace
 
 std::string bakeIdentity(const std::string& source, const Upsampler& model,
-                         const BakeOptions& options) {
+                         const ColorMeaning& meaning, const BakeOptions& options) {
     std::vector<std::string> parts = {source, described(options.read), model.identity(),
                                       precision(options), described(options.storage)};
-    if (options.color.any()) parts.push_back(described(options.color));
+    if (meaning.source == ColorSource::config) {
+        parts.push_back("'" + meaning.configSpace + "' of a configuration, " + meaning.configHash);
+    } else if (options.color.any()) {
+        parts.push_back(described(options.color));
+    }
     if (options.materialMap) parts.push_back(describedMap(options));
     if (options.second) parts.push_back(describedSecond(options));
     if (!options.attributes.empty()) parts.push_back(described(options.attributes));

@@ -13,8 +13,9 @@ inline constexpr const char* kIdentitySeparator = "; ";
 
 /// All that the bytes of a bake depend on, as one line of text: `source` (fileFingerprint() of the
 /// texture), the options as they were asked for, and the version. `model` is the one that
-/// `options.model` describes.
+/// `options.model` describes, `meaning` what the
+/// texture's numbers were taken for.
 std::string bakeIdentity(const std::string& source, const Upsampler& model,
-                         const BakeOptions& options);
+                         const ColorMeaning& meaning, const BakeOptions& options);
 
 }  // namespace specbake::internal

@@ -58,7 +58,7 @@ std::optional<std::string> wantedIdentity(const std::string& input,
     const auto models = options.models ? options.models : std::make_shared<ModelCache>();
     std::vector<std::string> unused;
     const ColorMeaning meaning = chosenMeaning(texture.info(), options.color, unused);
-    return bakeIdentity(*source, *models->model(meaning.space, options.model), options);
+    return bakeIdentity(*source, *models->model(meaning.space, options.model), meaning, options);
 }
 
 }  // namespace

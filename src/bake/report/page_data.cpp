@@ -102,13 +102,15 @@ ReportColors::ReportColors(const Upsampler& model, const std::string& path,
     : space(model.space().name),
       light(model.observer().illuminant()),
       wavelengths(reader.wavelengths()),
-      weights(readerWeights(path, reader, light, model.observer().quadrature())) {
+      weights(readerWeights(path, reader, light, model.observer().quadrature(),
+                            model.observer().functions())) {
     // The usual lamps, and the light of the bake if it is none of them.
     std::vector<std::string> names = illuminantNames();
     if (std::find(names.begin(), names.end(), light) == names.end()) names.push_back(light);
     for (const std::string& name : names) {
         RelightOptions options;
         options.illuminant = name;
+        options.observer = model.observer().functions();
         options.quadrature = model.observer().quadrature();
         lamps.emplace_back(name, litBands(path, reader, options));
     }

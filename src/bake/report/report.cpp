@@ -22,6 +22,12 @@ std::string fileName(const std::string& path) {
     return std::filesystem::path(path).filename().string();
 }
 
+/// A lamp or an observer of one's own is hundreds of numbers.
+std::string shortened(const std::string& value) {
+    constexpr std::size_t most = 300;
+    return value.size() <= most ? value : value.substr(0, value.rfind(' ', most)) + " ...";
+}
+
 /// The page with `text` in the place {{name}}.
 void fill(std::string& page, std::string_view name, std::string_view text) {
     const std::string place = "{{" + std::string(name) + "}}";
@@ -65,7 +71,9 @@ Verification writeReport(const std::string& spectral, const std::string& texture
                                            });
     PageContent content{fileName(spectral), fileName(texture), window, texels, *colors,
                         verified,           options.facts};
-    for (const auto& attribute : reader.facts().attributes) content.facts.push_back(attribute);
+    for (const auto& [name, value] : reader.facts().attributes) {
+        content.facts.emplace_back(name, shortened(value));
+    }
     writeText(page, pageOf(content));
     return verified;
 }

@@ -17,11 +17,37 @@ ColorWishes statedWishes(const SpectralReader& spectral, const std::string& spac
     return {{}, spectral.text("specbake:transfer"), spectral.text("specbake:primaries")};
 }
 
+/// By a configuration, which must be at hand and as it was.
+ColorMeaning statedConfig(const std::string& space, const SpectralReader& spectral,
+                          const TextureInfo& texture, const VerifyOptions& options) {
+    if (!options.color.config) {
+        throw FileError(texture.path,
+                        "was taken for '" + space +
+                            "' of a configuration of OpenColorIO, which --colorconfig "
+                            "or $OCIO must name");
+    }
+    std::vector<std::string> unused;
+    ColorWishes wishes = options.color;
+    wishes.space = space;
+    wishes.primaries = spectral.text("specbake:primaries");
+    ColorMeaning meaning = chosenMeaning(texture, wishes, unused);
+    if (meaning.configHash != spectral.text("specbake:confighash")) {
+        throw FileError(*wishes.config, "'" + space +
+                                            "' is not what it was when the spectral image was "
+                                            "made: another configuration, or a changed one");
+    }
+    return meaning;
+}
+
 }  // namespace
 
 ColorMeaning statedMeaning(const SpectralReader& spectral, const TextureInfo& texture,
                            const VerifyOptions& options) {
     std::vector<std::string> unused;
+    const auto configSpace = spectral.text("specbake:configspace");
+    if (configSpace && !options.color.any()) {
+        return statedConfig(*configSpace, spectral, texture, options);
+    }
     const ColorMeaning& own = texture.color;
     const auto space = spectral.text("specbake:colorspace");
     if (options.color.any() || !space) return chosenMeaning(texture, options.color, unused);
@@ -58,10 +84,7 @@ UpsamplerOptions statedModel(const std::string& path, const SpectralReader& spec
         model.outside = *known;
     }
     const Quadrature quadrature = statedQuadrature(path, spectral);
-    if (const auto observer = spectral.text("specbake:observer")) {
-        const bool known = *observer == Observer("E", quadrature, Wavelengths()).name();
-        refuseUnless(known, "specbake:observer", *observer);
-    }
+    model.observer = options.observer ? *options.observer : statedObserver(path, spectral);
     model.quadrature = options.quadrature.value_or(quadrature);
     if (model.quadrature == Quadrature::fine) model.bands = modelBands(spectral);
     return model;

@@ -52,6 +52,7 @@ class Comparison {
             throw FileError(spectral, "not of the size of " + texture);
         }
         total_.illuminant = lightLabel(model_.observer().illuminant());
+        total_.observer = observerLabel(model_.observer().functions());
         total_.quadrature = model_.observer().quadrature();
     }
 
@@ -73,10 +74,9 @@ class Comparison {
 
     TexelComparison::BandWeights weightsOf(const std::string& path) const {
         const Observer& observer = model_.observer();
-        const auto under = [&](std::string_view light) {
-            return readerWeights(path, spectral_, light, observer.quadrature());
-        };
-        return {under(observer.illuminant()), under("D65")};
+        return {readerWeights(path, spectral_, observer.illuminant(), observer.quadrature(),
+                              observer.functions()),
+                readerWeights(path, spectral_, "D65", observer.quadrature())};
     }
 
     std::size_t bandCount() const { return spectral_.wavelengths().size(); }

@@ -1,7 +1,10 @@
 #include "recipe.h"
 
 #include <specbake/core/error.h>
+#include <specbake/core/observer.h>
+#include <specbake/image/light_file.h>
 #include <specbake/image/measured_file.h>
+#include <specbake/image/observer_file.h>
 #include <specbake/image/texture_reader.h>
 
 #include <algorithm>
@@ -99,7 +102,9 @@ constexpr Option kOptions[] = {
     {"space", [](Recipe& r, std::string_view v) { r.options.color.space = v; }},
     {"transfer", [](Recipe& r, std::string_view v) { r.options.color.transfer = v; }},
     {"primaries", [](Recipe& r, std::string_view v) { r.options.color.primaries = v; }},
+    {"colorconfig", [](Recipe& r, std::string_view v) { r.options.color.config = v; }},
     {"illuminant", [](Recipe& r, std::string_view v) { r.options.model.illuminant = v; }, true},
+    {"observer", [](Recipe& r, std::string_view v) { r.options.model.observer = v; }, true},
     {"adapt", [](Recipe& r, std::string_view v) { setAdaptation(r.options, v); }, true},
     {"method", [](Recipe& r, std::string_view v) { r.options.model.method = v; }, true},
     {"outside", [](Recipe& r, std::string_view v) { setOutside(r.options, v); }, true},
@@ -167,8 +172,27 @@ std::string besides(const std::string& path, const std::string& name) {
     return (fs::path(path).parent_path() / name).string();
 }
 
+/// A file besides, if there is one.
+std::string fileOrName(const std::string& path, const std::string& word) {
+    std::error_code ignored;
+    const std::string file = (fs::path("./") / besides(path, word)).string();
+    return fs::is_regular_file(file, ignored) ? file : word;
+}
+
 bool isRecipe(const std::string& path) {
     return path.size() > kEnding.size() && path.ends_with(kEnding);
+}
+
+/// What is no name is a file.
+void readFiles(UpsamplerOptions& model) {
+    std::error_code ignored;
+    const auto namesFile = [&](const std::string& word) {
+        return word.find('/') != std::string::npos && fs::is_regular_file(word, ignored);
+    };
+    if (model.illuminant && namesFile(*model.illuminant)) {
+        model.illuminant = readLight(*model.illuminant);
+    }
+    if (namesFile(model.observer)) model.observer = readObserver(model.observer);
 }
 
 }  // namespace
@@ -207,6 +231,12 @@ Recipe recipeOf(const std::string& path) {
     for (std::string* file : {&recipe.samples, &recipe.table}) {
         if (!file->empty()) *file = besides(path, *file);
     }
+    UpsamplerOptions& model = recipe.options.model;
+    if (model.illuminant && !isIlluminant(*model.illuminant)) {
+        model.illuminant = fileOrName(path, *model.illuminant);
+    }
+    if (!isObserver(model.observer)) model.observer = fileOrName(path, model.observer);
+    if (auto& config = recipe.options.color.config) config = fileOrName(path, *config);
     if (isRecipe(recipe.source)) throw FileError(path, "its source is a .spectral file itself");
     if (!fs::is_regular_file(recipe.source, error)) {
         throw FileError(path, "its source " + recipe.source + " is no file");
@@ -220,6 +250,7 @@ std::unique_ptr<const BakedImage> imageOf(const Recipe& recipe,
     options.models = std::move(models);
     if (!options.storage.isTiled()) options.storage.tile = TileSize{};
     if (!recipe.samples.empty()) options.model.samples = readMeasuredFile(recipe.samples).samples;
+    readFiles(options.model);
     auto texture = std::make_unique<TextureReader>(recipe.source, options.read);
     if (recipe.table.empty()) return std::make_unique<BakedImage>(std::move(texture), options);
     if (!recipe.modelOption.empty()) {

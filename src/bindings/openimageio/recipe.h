@@ -33,7 +33,7 @@ void forEachOption(const std::function<void(std::string_view)>& take);
 
 /// The recipe of a name that ends in .spectral. A text file of that name has lines `name = value`,
 /// empty ones, and such as begin with #. Without a source in it, or without such a file, the source
-/// is the name without its ending. A source, samples and a table are told from the text file's
+/// is the name without its ending. A source and all other files are told from the text file's
 /// folder; a source is no recipe itself. Unless it says otherwise the image is cut into tiles of 64
 /// x 64 and has mip levels. Throws FileError, naming the line.
 Recipe recipeOf(const std::string& path);

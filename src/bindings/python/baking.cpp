@@ -79,12 +79,12 @@ BakeStatistics bakeWithArguments(
     std::optional<std::pair<int, int>> tile, bool mipmap, const std::vector<std::string>& channels,
     const py::object& part, bool orient, int threads, const py::object& progress,
     const std::string& adapt, const std::optional<std::string>& quadrature,
-    const std::optional<WavelengthWords>& wavelengths) {
+    const std::optional<WavelengthWords>& wavelengths, const std::string& observer) {
     BakeOptions options;
     options.read = readOptions(channels, part, orient);
     options.color.space = space;
-    options.model = modelOptions(
-        {light, adapt, method, outside, grid, material, samples, quadrature, wavelengths});
+    options.model = modelOptions({light, adapt, method, outside, grid, material, samples,
+                                  quadrature, wavelengths, observer});
     options.maxDeviation = maxDeviation;
     options.bits = bits;
     options.maxDE = maxDE;
@@ -99,9 +99,11 @@ BakeStatistics bakeWithArguments(
 
 void relightWithArguments(const Path& spectral, const Path& picture, const std::string& light,
                           bool adapt, double exposure, int threads, const py::object& progress,
-                          const std::optional<std::string>& quadrature) {
+                          const std::optional<std::string>& quadrature,
+                          const std::optional<std::string>& observer) {
     RelightOptions options;
-    options.illuminant = light;
+    options.illuminant = lightNamed(light);
+    if (observer) options.observer = observerNamed(*observer);
     options.adapt = adapt ? Adaptation::bradford : Adaptation::none;
     options.exposure = exposure;
     if (quadrature) options.quadrature = quadratureNamed(*quadrature);
@@ -120,10 +122,12 @@ Verification verifyWithArguments(const Path& spectral, const Path& texture,
                                  const std::optional<std::string>& light,
                                  const std::vector<std::string>& channels, const py::object& part,
                                  bool orient, int threads,
-                                 const std::optional<std::string>& quadrature) {
+                                 const std::optional<std::string>& quadrature,
+                                 const std::optional<std::string>& observer) {
     VerifyOptions options;
     options.color.space = space;
-    options.illuminant = light;
+    if (light) options.illuminant = lightNamed(*light);
+    if (observer) options.observer = observerNamed(*observer);
     if (quadrature) options.quadrature = quadratureNamed(*quadrature);
     options.threads = threadsHere(threads);
     options.read = readOptions(channels, part, orient);
@@ -165,6 +169,8 @@ void addVerification(py::module_& module) {
         .def_readonly("out_of_range", &V::outOfRange, "Bands outside [0, 1].")
         .def_readonly("outside_solid", &V::outsideSolid, "Texels whose colour no reflectance has.")
         .def_readonly("light", &V::illuminant, "Under which was compared.")
+        .def_readonly("observer", &V::observer,
+                      "By whom: the name of the colour-matching functions.")
         .def_property_readonly(
             "quadrature", [](const V& v) { return std::string(quadratureName(v.quadrature)); },
             "'bands' or 'fine', by which was compared.")
@@ -194,7 +200,8 @@ void addBaking(py::module_& module) {
                py::arg("part") = py::none(), py::arg("orient") = b.read.orient,
                py::arg("threads") = b.threads, py::arg("progress") = py::none(),
                py::arg("adapt") = std::string(adaptationName(b.model.adapt)),
-               py::arg("quadrature") = py::none(), py::arg("wavelengths") = py::none(), R"(
+               py::arg("quadrature") = py::none(), py::arg("wavelengths") = py::none(),
+               py::arg("observer") = "2", R"(
 A texture to a spectral EXR, as `specbake bake` does it; the file appears whole or not at all.
 
 source: a file that OpenImageIO reads, or an array (height, width), (height, width, n) with n = 1
@@ -203,7 +210,8 @@ source: a file that OpenImageIO reads, or an array (height, width), (height, wid
 output: the spectral image, NAME.exr.
 space: of SPACES, what the source's numbers are; None: what a file says; for an array srgb if it is
   of integers, else lin_rec709.
-light, method, outside, grid, material, samples, adapt, quadrature, wavelengths: as of Upsampler.
+light, method, outside, grid, material, samples, adapt, quadrature, wavelengths, observer: as of
+  Upsampler.
 max_deviation: instead of grid, the coarsest one whose spectra deviate by no more from those that
   are solved one by one (RMS).
 dtype, compression ('zip', 'zips', 'piz', 'none'), level, tile (width, height), mipmap: how the file
@@ -217,20 +225,22 @@ Returns BakeStatistics. Raises FileError, ArgumentError.)");
                py::kw_only(), py::arg("light") = r.illuminant,
                py::arg("adapt") = r.adapt != Adaptation::none, py::arg("exposure") = r.exposure,
                py::arg("threads") = r.threads, py::arg("progress") = py::none(),
-               py::arg("quadrature") = py::none(), R"(
+               py::arg("quadrature") = py::none(), py::arg("observer") = py::none(), R"(
 The spectral image as it looks under a light, to a picture: linear Rec.709 for EXR and HDR, 8-bit
 sRGB for other formats.
 
-light: of LIGHTS. adapt: the viewer's eye has adapted, so that white looks white.
+light: of LIGHTS, or a file with a spectrum.
+adapt: the viewer's eye has adapted, so that white looks white.
 exposure: stops; at 0 a white surface's largest component is 1.
-quadrature: 'bands' or 'fine', how the bands are integrated; None: as the file says.
+quadrature: 'bands' or 'fine', how the bands are integrated; observer: '2', '10' or a file with a
+  table, whose eye it is; None: as the file says.
 
 Raises FileError, ArgumentError.)");
     module.def("verify", &verifyWithArguments, py::arg("spectral"), py::arg("texture"),
                py::kw_only(), py::arg("space") = py::none(), py::arg("light") = py::none(),
                py::arg("channels") = py::tuple(), py::arg("part") = py::none(),
                py::arg("orient") = false, py::arg("threads") = 0,
-               py::arg("quadrature") = py::none(), R"(
+               py::arg("quadrature") = py::none(), py::arg("observer") = py::none(), R"(
 Reads a spectral image back, integrates it under its light and compares it with its texture. What is
 left out is as the spectral file says. Returns a Verification. Raises FileError, ArgumentError.)");
 }

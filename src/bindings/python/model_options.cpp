@@ -1,7 +1,10 @@
 #include "model_options.h"
 
 #include <specbake/core/error.h>
+#include <specbake/core/observer.h>
+#include <specbake/image/light_file.h>
 #include <specbake/image/measured_file.h>
+#include <specbake/image/observer_file.h>
 
 #include <cmath>
 
@@ -35,6 +38,20 @@ Quadrature quadratureNamed(const std::string& name) {
     return *quadrature;
 }
 
+std::string lightNamed(const std::string& name) {
+    std::string reason;
+    if (isIlluminant(name, &reason)) return name;
+    if (!std::filesystem::exists(name)) throw ArgumentError(reason);
+    return readLight(name);
+}
+
+std::string observerNamed(const std::string& name) {
+    std::string reason;
+    if (isObserver(name, &reason)) return name;
+    if (!std::filesystem::exists(name)) throw ArgumentError(reason);
+    return readObserver(name);
+}
+
 Wavelengths wavelengthsOf(const WavelengthWords& words) {
     const auto* text = std::get_if<std::string>(&words);
     return text != nullptr ? parseWavelengths(*text) : evenly(std::get<std::vector<double>>(words));
@@ -42,7 +59,8 @@ Wavelengths wavelengthsOf(const WavelengthWords& words) {
 
 UpsamplerOptions modelOptions(const ModelWords& words) {
     UpsamplerOptions options;
-    options.illuminant = words.light;
+    if (words.light) options.illuminant = lightNamed(*words.light);
+    options.observer = observerNamed(words.observer);
     options.adapt = adaptationNamed(words.adapt);
     if (words.method) options.method = *words.method;
     const std::optional<Outside> rule = outsideFromName(words.outside);

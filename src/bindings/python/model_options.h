@@ -24,6 +24,7 @@ struct ModelWords {
     std::optional<std::filesystem::path> samples;  ///< measured reflectances (measured_file.h)
     std::optional<std::string> quadrature;         ///< none: fine with wavelengths, else bands
     std::optional<WavelengthWords> wavelengths;
+    std::string observer = "2";  ///< as of observerNamed()
 };
 
 /// Throws ArgumentError; the FileError of the samples goes on.
@@ -32,6 +33,12 @@ UpsamplerOptions modelOptions(const ModelWords& words);
 /// Throw ArgumentError for a name that there is not.
 Adaptation adaptationNamed(const std::string& name);
 Quadrature quadratureNamed(const std::string& name);
+
+/// The name of a light as it is; what is none, as a file with its spectrum (light_file.h).
+std::string lightNamed(const std::string& name);
+
+/// "2", "10" or a name as it is; what is none, as a file with a table (observer_file.h).
+std::string observerNamed(const std::string& name);
 
 /// The wavelengths, evenly spaced. Throws ArgumentError for others.
 Wavelengths wavelengthsOf(const WavelengthWords& words);

@@ -28,10 +28,10 @@ Upsampler made(const std::string& space, const std::optional<std::string>& light
                std::optional<int> grid, const std::optional<std::string>& material,
                const std::optional<std::filesystem::path>& samples, const std::string& adapt,
                const std::optional<std::string>& quadrature,
-               const std::optional<WavelengthWords>& wavelengths) {
+               const std::optional<WavelengthWords>& wavelengths, const std::string& observer) {
     return Upsampler(colorSpaceNamed(space),
                      modelOptions({light, adapt, method, outside, grid, material, samples,
-                                   quadrature, wavelengths}));
+                                   quadrature, wavelengths, observer}));
 }
 
 enum class Invalid { raise, nan };
@@ -189,9 +189,11 @@ uint8 and uint16 are shares of 255 and 65535; all else counts as it is, in singl
              py::arg("grid") = defaults.grid, py::arg("material") = defaults.material,
              py::arg("samples") = py::none(),
              py::arg("adapt") = std::string(adaptationName(defaults.adapt)),
-             py::arg("quadrature") = py::none(), py::arg("wavelengths") = py::none(), R"(
+             py::arg("quadrature") = py::none(), py::arg("wavelengths") = py::none(),
+             py::arg("observer") = "2", R"(
 space: one of SPACES.
-light: one of LIGHTS, under which the colours hold; None: the space's own white.
+light: one of LIGHTS, or a file with a spectrum, under which the colours hold; None: the space's own
+  white.
 method: one of METHODS; None: 'natural'.
 outside: what a colour gets that no reflectance has: 'nearest', 'scale' or 'error'.
 grid: nodes along each axis of the lookup, 2 to 129; None: each colour is solved by itself.
@@ -203,6 +205,7 @@ quadrature: the reader for whom colours are exact: 'bands', one who sums the 81 
   one who integrates every 1 nm from 360 to 830, linear between bands, as renderers do; None: 'fine'
   with wavelengths, else 'bands'.
 wavelengths: of the bands, evenly spaced within 360 to 830 nm: an array, or '400:700:10'.
+observer: who sees the colours so: '2' or '10', or a file with a table, as of Observer.
 
 Raises ArgumentError, FileError.)")
         .def("spectra", &spectra, py::arg("colors"), py::kw_only(),

@@ -26,7 +26,8 @@ bool hasWhiteOf(const Primaries& primaries, const Observer& illuminant) {
            std::abs(white.y - primaries.white.y) < tolerance;
 }
 
-/// The space's white, as the light's reader has it where there is an illuminant of it.
+/// The space's white, as the light's reader has it where there is an illuminant of it: by the usual
+/// observer, whoever looks.
 XYZ whiteOf(const ColorSpace& space, const Observer& light) {
     const Observer own(space.illuminant, light.quadrature(), light.bands());
     return hasWhiteOf(*space.primaries, own) ? own.white() : xyzOf(space.primaries->white);

@@ -1,7 +1,7 @@
 // Build step: turns the CSV tables of data/ into one C++ source file (see tables.h).
 //
 //     embed_tables CMF.csv ILLUMINANTS.csv REFLECTANCES.csv FINE_CMF.csv ILLUMINANT_ENDS.csv
-//     OUT.cpp
+//     FINE_CMF_10.csv OUT.cpp
 #include <cstdint>
 #include <fstream>
 #include <iostream>
@@ -54,17 +54,20 @@ std::int64_t exactTenBillionths(const std::string& text) {
     return value;
 }
 
-void writeTables(const std::vector<Row>& cmf, const std::vector<Row>& light, std::ostream& out) {
-    out << "// Made from data/*.csv by embed_tables.\n#include \"color/tables.h\"\n\n#include "
-           "<cmath>\n\n"
-        << "namespace specbake::internal::tables {\n\n"
-        << "const std::array<std::array<std::int64_t, 3>, kBandCount> colorMatching = {{\n";
-    for (std::size_t i = 1; i < cmf.size(); ++i) {
-        out << "    {" << exactTenBillionths(cmf[i].at(1)) << ", "
-            << exactTenBillionths(cmf[i].at(2)) << ", " << exactTenBillionths(cmf[i].at(3))
-            << "},\n";
+/// Every `step`th row from `first` on.
+void writeMatching(const std::vector<Row>& cmf, const std::string& name, std::size_t first,
+                   std::size_t step, std::ostream& out) {
+    out << "const BandMatching " << name << " = {{\n";
+    for (std::size_t band = 0; band < 81; ++band) {
+        const Row& row = cmf.at(first + band * step);
+        out << "    {" << exactTenBillionths(row.at(1)) << ", " << exactTenBillionths(row.at(2))
+            << ", " << exactTenBillionths(row.at(3)) << "},\n";
     }
-    out << "}};\n\nconst std::vector<IlluminantTable> illuminants = {\n";
+    out << "}};\n\n";
+}
+
+void writeTables(const std::vector<Row>& light, std::ostream& out) {
+    out << "const std::vector<IlluminantTable> illuminants = {\n";
     for (std::size_t column = 1; column < light[0].size(); ++column) {
         out << "    {\"" << light[0][column] << "\", {";
         for (std::size_t i = 1; i < light.size(); ++i) out << light[i].at(column) << ", ";
@@ -86,9 +89,14 @@ void writeReflectances(const std::vector<Row>& rows, std::ostream& out) {
     out << "};\nconst std::span<const ReflectanceTable> kReflectances = kRows;\n\n";
 }
 
-void writeFineTable(const std::vector<Row>& cmf, std::ostream& out) {
-    if (cmf.size() != 472) throw std::runtime_error("360 to 830 nm every 1 nm expected");
-    out << "const std::array<std::array<double, 3>, kFineRows> kFineColorMatching = {{\n";
+std::vector<Row> readFine(const std::string& path) {
+    std::vector<Row> rows = readCsv(path);
+    if (rows.size() != 472) throw std::runtime_error(path + ": 360 to 830 nm every 1 nm expected");
+    return rows;
+}
+
+void writeFineTable(const std::vector<Row>& cmf, const std::string& name, std::ostream& out) {
+    out << "const FineMatching " << name << " = {{\n";
     for (std::size_t i = 1; i < cmf.size(); ++i) {
         out << "    {" << cmf[i].at(1) << ", " << cmf[i].at(2) << ", " << cmf[i].at(3) << "},\n";
     }
@@ -113,14 +121,22 @@ void writeEnds(const std::vector<Row>& light, std::ostream& out) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-    if (argc != 7) {
-        throw std::runtime_error("usage: embed_tables CMF LIGHTS REFLECTANCES FINE_CMF ENDS OUT");
+    if (argc != 8) {
+        throw std::runtime_error(
+            "usage: embed_tables CMF LIGHTS REFLECTANCES FINE_CMF ENDS FINE_CMF_10 OUT");
     }
-    std::ofstream out(argv[6]);
-    writeTables(readBands(argv[1]), readBands(argv[2]), out);
+    std::ofstream out(argv[7]);
+    out << "// Made from data/*.csv by embed_tables.\n#include \"color/tables.h\"\n\n#include "
+           "<cmath>\n\n"
+        << "namespace specbake::internal::tables {\n\n";
+    writeMatching(readBands(argv[1]), "colorMatching", 1, 1, out);
+    writeTables(readBands(argv[2]), out);
     writeReflectances(readCsv(argv[3]), out);
-    writeFineTable(readCsv(argv[4]), out);
+    writeFineTable(readFine(argv[4]), "kFineColorMatching", out);
     writeEnds(readCsv(argv[5]), out);
+    const std::vector<Row> wide = readFine(argv[6]);
+    writeMatching(wide, "kWideColorMatching", 21, 5, out);  // from 380 nm
+    writeFineTable(wide, "kFineWideColorMatching", out);
     out << "}  // namespace specbake::internal::tables\n";
     return out ? 0 : 1;
 } catch (const std::exception& error) {

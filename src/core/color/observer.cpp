@@ -1,24 +1,20 @@
 #include "color/knot_place.h"
+#include "color/matching.h"
 #include "color/named_light.h"
 #include "color/tables.h"
 
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace specbake {
 
 using namespace internal;
 
 namespace {
-
-/// x̄, ȳ, z̄ of a band. The quotient is the double nearest to the printed decimal: both the
-/// integer and 1e10 are exact.
-Imath::V3d colorMatching(std::size_t band) {
-    const auto& c = tables::colorMatching[band];
-    return Imath::V3d(double(c[0]), double(c[1]), double(c[2])) / 1e10;
-}
 
 /// Bands that are linear between knots weigh on these.
 std::vector<Imath::V3d> foldedToKnots(const std::vector<Imath::V3d>& weights,
@@ -34,39 +30,62 @@ std::vector<Imath::V3d> foldedToKnots(const std::vector<Imath::V3d>& weights,
     return folded;
 }
 
-}  // namespace
+using Weights = std::array<Imath::V3d, kBandCount>;
 
-Observer::Observer(std::string_view illuminant) {
-    NamedLight light = lightNamed(illuminant);
-    illuminant_ = std::move(light.name);
-    const LightPower& power = light.power;
+Weights bandWeights(const ColorMatching& functions, const LightPower& power) {
     double luminance = 0;
-    for (std::size_t m = 0; m < weights_.size(); ++m) luminance += power[m] * colorMatching(m).y;
-    for (std::size_t m = 0; m < weights_.size(); ++m) {
-        weights_[m] = colorMatching(m) * (power[m] / luminance);
+    for (std::size_t m = 0; m < power.size(); ++m) luminance += power[m] * functions.at(m).y;
+    if (!(luminance > 0)) throw ArgumentError("a light that the observer does not see");
+    Weights weights;
+    for (std::size_t m = 0; m < weights.size(); ++m) {
+        weights[m] = functions.at(m) * (power[m] / luminance);
     }
-    white_ = color(constantSpectrum(1));
+    return weights;
 }
 
-Observer::Observer(std::string_view illuminant, Quadrature quadrature, const Wavelengths& bands)
-    : illuminant_(lightNamed(illuminant).name), quadrature_(quadrature), bands_(bands) {
+/// Those of the fine quadrature, in whole units.
+Weights knotWeights(const std::vector<Imath::V3d>& ofBands, const Wavelengths& bands) {
+    Weights weights;
+    weights.fill(Imath::V3d(0.0));
+    const auto atKnots = foldedToKnots(ofBands, bands);
+    for (std::size_t m = 0; m < atKnots.size(); ++m) {
+        for (int i = 0; i < 3; ++i) {
+            weights[m][i] =
+                std::nearbyint(atKnots[m][i] / Observer::kWeightUnit) * Observer::kWeightUnit;
+        }
+    }
+    return weights;
+}
+
+}  // namespace
+
+Observer::Observer(std::string_view illuminant)
+    : Observer(illuminant, Quadrature::bands, Wavelengths()) {}
+
+Observer::Observer(std::string_view illuminant, Quadrature quadrature, const Wavelengths& bands,
+                   std::string_view functions)
+    : quadrature_(quadrature), bands_(bands) {
+    NamedLight light = lightNamed(illuminant);
+    const auto matching = matchingNamed(functions);
+    illuminant_ = std::move(light.name);
+    functions_ = matching->name;
     if (quadrature == Quadrature::bands) {
         if (bands != Wavelengths()) {
             throw ArgumentError("the sum over the bands is that of 380 to 780 nm every 5 nm");
         }
-        *this = Observer(illuminant);
-        return;
-    }
-    const std::string problem = wavelengthsProblem(bands);
-    if (!problem.empty()) throw ArgumentError(problem);
-    weights_.fill(Imath::V3d(0.0));
-    const auto atKnots = foldedToKnots(fineWeights(illuminant, listed(bands)), bands);
-    for (std::size_t m = 0; m < atKnots.size(); ++m) {
-        for (int i = 0; i < 3; ++i) {
-            weights_[m][i] = std::nearbyint(atKnots[m][i] / kWeightUnit) * kWeightUnit;
-        }
+        weights_ = bandWeights(*matching, light.power);
+    } else {
+        const std::string problem = wavelengthsProblem(bands);
+        if (!problem.empty()) throw ArgumentError(problem);
+        weights_ = knotWeights(fineWeights(illuminant_, listed(bands), functions_), bands);
     }
     white_ = color(constantSpectrum(1));
+}
+
+std::string Observer::name() const {
+    const auto& names = observerNames();
+    if (std::find(names.begin(), names.end(), functions_) == names.end()) return functions_;
+    return functions_ + (quadrature_ == Quadrature::bands ? ", 5 nm" : ", 1 nm");
 }
 
 XYZ Observer::color(const Spectrum& reflectance) const {

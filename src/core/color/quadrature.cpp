@@ -1,3 +1,4 @@
+#include "color/matching.h"
 #include "color/named_light.h"
 #include "color/names.h"
 #include "color/tables.h"
@@ -99,14 +100,16 @@ std::optional<Quadrature> quadratureFromText(std::string_view text) {
 }
 
 std::vector<Imath::V3d> fineWeights(std::string_view illuminant,
-                                    std::span<const double> wavelengths) {
+                                    std::span<const double> wavelengths,
+                                    std::string_view observer) {
     const NamedLight light = lightNamed(illuminant);
+    const auto matching = matchingNamed(observer);
     const bool isA = light.name == "A";
     const FinePower table = finePower(light);
     std::vector<Imath::V3d> weights(wavelengths.size(), Imath::V3d(0.0));
     double luminance = 0;
     for (int nm = kFinestFirst; nm <= kFinestLast; ++nm) {
-        const auto& [x, y, z] = tables::kFineColorMatching[std::size_t(nm - kFinestFirst)];
+        const auto& [x, y, z] = matching->fine[std::size_t(nm - kFinestFirst)];
         const Imath::V3d lit =
             Imath::V3d(x, y, z) * (isA ? powerOfA(nm) : tabulatedPower(table, nm));
         const auto [first, ofNext] = shareAt(wavelengths, nm);

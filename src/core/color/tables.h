@@ -14,8 +14,10 @@ namespace specbake::internal::tables {
 
 /// Colour-matching functions x̄, ȳ, z̄, a row a band, as exact multiples of 1e-10.
 /// The printed decimals decide which vectors are parallel, so they are kept exactly.
-extern const std::array<std::array<std::int64_t, 3>, kBandCount> colorMatching;
-inline constexpr double kColorMatchingUnit = 1e-10;
+using BandMatching = std::array<std::array<std::int64_t, 3>, kBandCount>;
+inline constexpr double kMatchingUnitsPerOne = 1e10;
+extern const BandMatching colorMatching;       ///< CIE 1931, 2 degree
+extern const BandMatching kWideColorMatching;  ///< CIE 1964, 10 degree
 
 struct IlluminantTable {
     std::string_view name;
@@ -25,7 +27,9 @@ extern const std::vector<IlluminantTable> illuminants;
 
 /// x̄, ȳ, z̄ from 360 to 830 nm, a row a nm.
 inline constexpr std::size_t kFineRows = 471;
-extern const std::array<std::array<double, 3>, kFineRows> kFineColorMatching;
+using FineMatching = std::array<std::array<double, 3>, kFineRows>;
+extern const FineMatching kFineColorMatching;      ///< CIE 1931, 2 degree
+extern const FineMatching kFineWideColorMatching;  ///< CIE 1964, 10 degree
 
 /// The power of an illuminant before 380 nm and beyond 780 nm, every 5 nm, NaN where there is none.
 struct IlluminantEnds {

@@ -1,6 +1,6 @@
 #include "solid/generators.h"
 
-#include "color/tables.h"
+#include "color/matching.h"
 
 #include <algorithm>
 #include <array>
@@ -15,9 +15,9 @@ using ExactVector = std::array<Exact, 3>;
 /// The bands' vectors, each up to a positive factor.
 using BandVectors = std::vector<ExactVector>;
 
-BandVectors tableVectors() {
+BandVectors tableVectors(const tables::BandMatching& table) {
     BandVectors vectors;
-    for (const auto& row : tables::colorMatching) vectors.push_back({row[0], row[1], row[2]});
+    for (const auto& row : table) vectors.push_back({row[0], row[1], row[2]});
     return vectors;
 }
 
@@ -77,6 +77,21 @@ Imath::V3d unit(const ExactVector& n) {
     return Imath::V3d(double(n[0]), double(n[1]), double(n[2])).normalized();
 }
 
+/// On which side of the plane of a pair a third vector lies that is in it, as if every vector that
+/// is not red, v_j, were v_j + ε^(j+1) (0, 0, 1) with an ε as small as it must be: the sign is that
+/// of the first of its terms, in which one vector stands replaced by (0, 0, 1). As the plane is not
+/// that of the red ones, no term is 0; of the three vectors one at the most is red.
+bool isAbove(const std::vector<ExactVector>& vectors, int first, int second, int third) {
+    const auto at = [&](int j) -> const ExactVector& { return vectors[std::size_t(j)]; };
+    int moved = int(vectors.size());
+    for (const int j : {first, second, third}) {
+        if (at(j)[2] != 0) moved = std::min(moved, j);
+    }
+    if (moved == first) return cross(at(second), at(third))[2] > 0;
+    if (moved == second) return cross(at(third), at(first))[2] > 0;
+    return cross(at(first), at(second))[2] > 0;
+}
+
 SidePair sidePair(const std::vector<ExactVector>& vectors, int first, int second) {
     ExactVector n = cross(vectors[std::size_t(first)], vectors[std::size_t(second)]);
     if (n[2] < 0) {
@@ -84,9 +99,11 @@ SidePair sidePair(const std::vector<ExactVector>& vectors, int first, int second
         n = {-n[0], -n[1], -n[2]};
     }
     SidePair side{first, second, unit(n), {}, {}};
-    for (std::size_t j = 0; j < vectors.size(); ++j) {
-        side.above[j] = dot(n, vectors[j]) > 0;
-        side.below[j] = dot(n, vectors[j]) < 0;
+    for (int j = 0; j < int(vectors.size()); ++j) {
+        if (j == first || j == second) continue;
+        const Exact distance = dot(n, vectors[std::size_t(j)]);
+        const bool above = distance == 0 ? isAbove(vectors, first, second, j) : distance > 0;
+        (above ? side.above : side.below)[std::size_t(j)] = true;
     }
     return side;
 }
@@ -135,8 +152,11 @@ std::shared_ptr<const Generators> generatorsOf(const Observer& observer) {
     if (observer.quadrature() == Quadrature::fine) {
         return std::make_shared<const Generators>(makeGenerators(weightVectors(observer)));
     }
-    static const auto ofTable = std::make_shared<const Generators>(makeGenerators(tableVectors()));
-    return ofTable;
+    static const auto ofUsual =
+        std::make_shared<const Generators>(makeGenerators(tableVectors(tables::colorMatching)));
+    if (observer.functions() == kUsualObserver) return ofUsual;
+    const auto matching = matchingNamed(observer.functions());
+    return std::make_shared<const Generators>(makeGenerators(tableVectors(matching->bands)));
 }
 
 }  // namespace specbake::internal

@@ -19,7 +19,7 @@ struct SidePair {
     int first = 0, second = 0;  ///< ordered so that n = w_first x w_second has n_Z > 0
     Imath::V3d normal;          ///< unit length, each component within 4 roundings of its value
     GeneratorSet above;         ///< j with n.w_j > 0: those with s_j = 1 in (13)
-    GeneratorSet below;         ///< j with n.w_j < 0: those with s_j = 1 on the other parallelogram
+    GeneratorSet below;         ///< all others: those with s_j = 1 on the other parallelogram
 };
 
 /// The combinatorics of the object-colour solid (paper, section 3).
@@ -28,8 +28,13 @@ struct SidePair {
 /// zonohedron, the sum of its bands. Of the sum over the bands an illuminant multiplies each vector
 /// by a positive factor, so that parallelism and the sign of each n.w_j follow from the printed
 /// table alone. They are decided in integers: a component is below 2^35, a triple determinant below
-/// 2^108. The weights of the fine quadrature are themselves integers of a unit (observer.h); bands
-/// that weigh nothing belong to no generator.
+/// 2^108. A table of more than ten decimals is rounded to these first (matching.h), and the
+/// decisions are exact for what it is then. The weights of the fine quadrature are themselves
+/// integers of a unit (observer.h); bands that weigh nothing belong to no generator.
+///
+/// Three generators of one plane, n.w_j = 0, do not occur in the CIE's tables; in one that was
+/// interpolated they do. They are put to a side as if the vectors were moved by as little as it
+/// takes (generators.cpp), so that their parallelograms tile the plane's face.
 struct Generators {
     std::vector<std::vector<int>> bands;  ///< the bands of each generator, ascending
     /// By band; of bands that weigh nothing, that of the one before, or of the first that does.
@@ -52,7 +57,8 @@ struct Generators {
     }
 };
 
-/// Of an observer. That of the sum over the bands, the same under every light, is made once.
+/// Of an observer. That of the sum over the bands by the usual table, the same under every light,
+/// is made once.
 std::shared_ptr<const Generators> generatorsOf(const Observer& observer);
 
 }  // namespace specbake::internal

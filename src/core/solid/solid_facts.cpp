@@ -16,13 +16,15 @@ SolidFacts solidFacts(const Observer& observer) {
     const SolidMesh mesh = solidMesh(solid);
     SolidFacts facts;
     facts.illuminant = lightLabel(observer.illuminant());
+    facts.observer = observerLabel(observer.name());
+    facts.quadrature = observer.quadrature();
     facts.white = solid.white();
     facts.center = solid.center();
     facts.eigenvalues = EigenAnalysis(observer).values();
     for (const auto& bands : g.bands) {
         if (bands.size() == 1) continue;
-        std::vector<int> group;
-        for (const int band : bands) group.push_back(int(observer.knots().at(band)));
+        std::vector<double> group;
+        for (const int band : bands) group.push_back(observer.knots().at(band));
         facts.parallelGroups.push_back(group);
     }
     facts.generators = g.count();

@@ -26,8 +26,8 @@ class Reader {
     static Reader otherwise(const Upsampler& u) {
         const Observer& own = u.observer();
         const bool isFine = own.quadrature() == Quadrature::fine;
-        return {isFine ? Observer(own.illuminant())
-                       : Observer(own.illuminant(), Quadrature::fine, own.knots()),
+        return {Observer(own.illuminant(), isFine ? Quadrature::bands : Quadrature::fine,
+                         isFine ? Wavelengths() : own.knots(), own.functions()),
                 u};
     }
 

@@ -23,9 +23,10 @@ const UpsamplerOptions& checked(const UpsamplerOptions& options) {
 
 Observer observerOf(const ColorSpace& space, const UpsamplerOptions& options) {
     return Observer(options.illuminant.value_or(space.illuminant), options.quadrature,
-                    options.bands);
+                    options.bands, options.observer);
 }
 
+/// The preview is for a screen, whose colours are those that the usual observer sees.
 NodeEncoder encoderFor(const Observer& observer) {
     return NodeEncoder(Observer("D65", observer.quadrature(), observer.bands()));
 }

@@ -22,6 +22,7 @@ std::string bandsProblem(const UpsamplerOptions& options) {
 std::string problemOf(const UpsamplerOptions& options) {
     std::string problem;
     if (options.illuminant && !isIlluminant(*options.illuminant, &problem)) return problem;
+    if (!isObserver(options.observer, &problem)) return problem;
     const auto kinds = adaptations();
     if (std::find(kinds.begin(), kinds.end(), options.adapt) == kinds.end()) {
         return "an adaptation of no kind";

@@ -1,54 +1,27 @@
+#include "file/text_table.h"
+
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
 #include <specbake/image/light_file.h>
 
-#include <charconv>
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
+#include <string>
 #include <vector>
 
 namespace specbake {
+
+using namespace internal;
+
 namespace {
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t(1) << 24;  // bytes
 constexpr std::size_t kMostSamples = 100'000;
 
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-/// The numbers of a line, wherever they stand in it.
-std::vector<double> numbersIn(const std::string& line) {
-    std::vector<double> numbers;
-    const char* at = line.data();
-    const char* const end = at + line.size();
-    while (at != end) {
-        const bool begins = isDigit(*at) || ((*at == '-' || *at == '.') && at + 1 != end &&
-                                             (isDigit(at[1]) || at[1] == '.'));
-        double value = 0;
-        const auto [next, error] = std::from_chars(at, end, value);
-        if (begins && error == std::errc()) {
-            numbers.push_back(value);
-            at = next;
-        } else {
-            ++at;
-        }
-    }
-    return numbers;
-}
-
-std::vector<LightSample> pairs(std::istream& in) {
+std::vector<LightSample> pairs(const std::string& text) {
     std::vector<LightSample> samples;
-    for (std::string line; std::getline(in, line) && samples.size() < kMostSamples;) {
-        const std::size_t first = line.find_first_not_of(" \t\r");
-        if (first == std::string::npos || line[first] == '#') continue;
-        const std::vector<double> numbers = numbersIn(line);
-        constexpr double shortest = 200;
-        constexpr double longest = 3000;  // nm: no head of a table
-        if (numbers.size() != 2 || numbers[0] < shortest || numbers[0] > longest) continue;
-        samples.push_back({numbers[0], numbers[1]});
+    for (const std::vector<double>& row : rowsOfTable(text, 2, kMostSamples)) {
+        samples.push_back({row[0], row[1]});
     }
     return samples;
 }
@@ -82,18 +55,9 @@ std::vector<LightSample> cgats(const std::string& text) {
 }  // namespace
 
 std::string readLight(const std::string& path) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) throw FileError(path, "no such file");
-    if (std::filesystem::file_size(path, ignored) > kLargestFile) {
-        throw FileError(path, "too long for a table of a light");
-    }
-    std::ifstream in(path);
-    std::ostringstream all;
-    all << in.rdbuf();
-    const std::string text = all.str();
-    std::istringstream lines(text);
-    const auto samples = text.starts_with("SPECT") ? cgats(text) : pairs(lines);
-    if (!in || samples.empty()) {
+    const std::string text = textOfTable(path);
+    const auto samples = text.starts_with("SPECT") ? cgats(text) : pairs(text);
+    if (samples.empty()) {
         throw FileError(path, "no table of wavelengths in nm and powers");
     }
     try {

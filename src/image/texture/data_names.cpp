@@ -77,7 +77,30 @@ bool isColor(const std::string& word) {
     return std::find(kColors.begin(), kColors.end(), word) != kColors.end();
 }
 
+/// The space that a word, or two that follow each other, are a name of. Names that are ordinary
+/// words, too, and those of three letters say nothing.
+const ColorSpace* spaceIn(const std::vector<std::string>& words) {
+    constexpr std::array<std::string_view, 4> ordinary = {"aces", "romm", "linear", "scenelinear"};
+    for (std::size_t count : {2U, 1U}) {
+        for (std::size_t i = 0; i + count <= words.size(); ++i) {
+            const std::string name = words[i] + (count == 2 ? words[i + 1] : "");
+            const bool counts = name.size() > 3 &&
+                                std::find(ordinary.begin(), ordinary.end(), name) == ordinary.end();
+            const ColorSpace* space = counts ? findColorSpace(name) : nullptr;
+            if (space != nullptr) return space;
+        }
+    }
+    return nullptr;
+}
+
 }  // namespace
+
+std::optional<std::string> remarkOnSpace(const std::string& path, const ColorSpace& taken) {
+    const ColorSpace* space = spaceIn(wordsOf(std::filesystem::path(path).stem().string()));
+    if (space == nullptr || space->name == taken.name) return {};
+    return "its name says " + space->name + ", but nothing in it does: it is taken for " +
+           taken.name + " (--space " + space->name + " says otherwise)";
+}
 
 std::optional<std::string> remarkOnName(const std::string& path) {
     const std::vector<std::string> words = wordsOf(std::filesystem::path(path).stem().string());

@@ -74,6 +74,10 @@ struct TextureReader::Implementation {
         keepWhatFits(info.attributes, info.notes);
         info.attributes.merge(recorded(options));
         if (auto remark = remarkOnName(path)) info.notes.push_back(std::move(*remark));
+        if (info.color.source != ColorSource::sampleType) return;
+        if (auto remark = remarkOnSpace(path, info.color.space)) {
+            info.notes.push_back(std::move(*remark));
+        }
     }
     std::unique_ptr<ImageFile> file;
     TextureInfo info;

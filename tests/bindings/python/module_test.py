@@ -197,6 +197,20 @@ class Spectra(unittest.TestCase):
             with self.assertRaises(error):
                 specbake.Upsampler(**wrong)
 
+    def test_the_observer_of_10_degrees_by_its_name_and_by_its_table(self):
+        table = np.genfromtxt(ROOT / "data/cie1964_10deg_1nm.csv", delimiter=",", skip_header=3)
+        bands = table[np.isin(table[:, 0], specbake.WAVELENGTHS)][:, 1:]
+        self.assertEqual(bands.shape, (81, 3))
+        for observer in ("10", str(ROOT / "data/cie1964_10deg_1nm.csv")):
+            eye = specbake.Observer("E", observer=observer)
+            self.assertEqual(eye.name, "CIE 1964 10 degree, 5 nm")
+            np.testing.assert_allclose(eye.weights, bands / bands[:, 1].sum(), rtol=1e-14)
+            model = specbake.Upsampler("xyz", grid=None, observer=observer)
+            spectrum = model.spectra([[0.3, 0.25, 0.2]])[0]
+            np.testing.assert_allclose(spectrum @ eye.weights, [0.3, 0.25, 0.2], atol=1e-6)
+        with self.assertRaises(specbake.ArgumentError):
+            specbake.Observer("E", observer="3")
+
     def test_the_fine_quadrature_and_other_wavelengths(self):
         colors = random_colors(20_000)
         nm_of = {"380:780:5": np.arange(380, 781, 5), "400:700:10": np.arange(400, 701, 10),

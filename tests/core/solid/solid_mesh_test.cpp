@@ -55,7 +55,8 @@ TEST_CASE("the facts of the paper's sections 2 and 3, under every illuminant") {
         CHECK(facts.illuminant == name);
         CHECK(facts.white == observer.white());
         CHECK(facts.center * 2 == facts.white);
-        CHECK(facts.parallelGroups == std::vector<std::vector<int>>{{730, 750}, {755, 765, 775}});
+        CHECK(facts.parallelGroups ==
+              std::vector<std::vector<double>>{{730, 750}, {755, 765, 775}});
         CHECK(facts.generators == 78);
         CHECK(facts.generatorsWithoutZ == 24);
         CHECK(facts.pairs == 2727);

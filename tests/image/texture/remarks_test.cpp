@@ -23,6 +23,28 @@ TEST_CASE("a name that says data gets a remark, one that says colours none") {
     }
 }
 
+TEST_CASE("a name that says another space than the one that is taken gets a remark") {
+    const ColorSpace& linear = *findColorSpace("lin_rec709");
+    const ColorSpace& encoded = *findColorSpace("srgb");
+    const auto named = [](const std::string& path, const ColorSpace& taken) {
+        const auto remark = remarkOnSpace(path, taken);
+        const auto at = remark ? remark->find("--space ") : std::string::npos;
+        return at == std::string::npos ? ""
+                                       : remark->substr(at + 8, remark->find(' ', at + 8) - at - 8);
+    };
+    CHECK(named("wall_front_ACEScg.exr", linear) == "acescg");
+    CHECK(named("a/wood.lin-rec2020.exr", linear) == "lin_rec2020");
+    CHECK(named("wood_AdobeRGB.png", encoded) == "adobergb");
+    CHECK(named("wood_display_p3_1k.png", encoded) == "displayp3");
+    CHECK(named("sky_srgb.exr", linear) == "srgb");
+    for (const char* name : {"wood.exr", "acescg/wood.exr", "wood_lin_rec709.exr", "linear_b.exr",
+                             "aces.exr", "xyz.exr", ""}) {
+        CAPTURE(name);
+        CHECK(named(name, linear).empty());
+    }
+    CHECK(named("wood_srgb.png", encoded).empty());
+}
+
 TEST_CASE("metadata that an EXR cannot hold are left out, and said to be") {
     const std::string longest(31, 'a');
     Attributes attributes = {

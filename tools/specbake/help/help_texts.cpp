@@ -18,8 +18,8 @@ using Group = std::pair<std::string, std::vector<std::string>>;
 const std::vector<Group>& groups() {
     static const std::vector<Group> all = {
         {"What is read",
-         {"--xyz", "--rgb", "--space", "--primaries", "--transfer", "--channels", "--part",
-          "--orient"}},
+         {"--xyz", "--rgb", "--space", "--primaries", "--transfer", "--colorconfig", "--channels",
+          "--part", "--orient"}},
         {"Colours and spectra",
          {"--illuminant", "--observer", "--adapt", "--method", "--samples", "--material",
           "--material-map", "--second", "--outside", "--per-texel", "--grid", "--max-deviation",

@@ -25,6 +25,7 @@ class Observer:
         *,
         quadrature: Literal["bands", "fine"] | None = None,
         wavelengths: str | Sequence[float] | NDArray[Any] | None = None,
+        observer: str = "2",
     ) -> None: ...
     @property
     def light(self) -> str: ...
@@ -96,6 +97,7 @@ class Upsampler:
         adapt: Literal["bradford", "cat16", "none"] = "bradford",
         quadrature: Literal["bands", "fine"] | None = None,
         wavelengths: str | Sequence[float] | NDArray[Any] | None = None,
+        observer: str = "2",
     ) -> None: ...
     def spectra(
         self,
@@ -184,6 +186,8 @@ class Verification:
     @property
     def light(self) -> str: ...
     @property
+    def observer(self) -> str: ...
+    @property
     def quadrature(self) -> Literal["bands", "fine"]: ...
     def passes(self, max_de: float | None = None) -> bool: ...
 
@@ -234,6 +238,7 @@ def bake(
     adapt: Literal["bradford", "cat16", "none"] = "bradford",
     quadrature: Literal["bands", "fine"] | None = None,
     wavelengths: str | Sequence[float] | NDArray[Any] | None = None,
+    observer: str = "2",
 ) -> BakeStatistics: ...
 def relight(
     spectral: str | PathLike[str],
@@ -245,6 +250,7 @@ def relight(
     threads: int = 0,
     progress: Callable[[float], object] | None = None,
     quadrature: Literal["bands", "fine"] | None = None,
+    observer: str | None = None,
 ) -> None: ...
 def verify(
     spectral: str | PathLike[str],
@@ -257,6 +263,7 @@ def verify(
     orient: bool = False,
     threads: int = 0,
     quadrature: Literal["bands", "fine"] | None = None,
+    observer: str | None = None,
 ) -> Verification: ...
 def read_spectral(
     path: str | PathLike[str], *, rows: tuple[int, int] | None = None

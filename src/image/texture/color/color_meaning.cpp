@@ -1,4 +1,5 @@
 #include "texture/color/lab_and_inks.h"
+#include "texture/openimageio/openimageio_parts.h"
 
 #include <specbake/core/error.h>
 #include <specbake/image/color_meaning.h>
@@ -48,6 +49,8 @@ PixelTransform::~PixelTransform() = default;
 
 std::string_view colorSourceName(ColorSource source) {
     switch (source) {
+        case ColorSource::config:
+            return "ocio";
         case ColorSource::icc:
             return "icc";
         case ColorSource::cicp:
@@ -80,7 +83,9 @@ ColorSpace wishedSpace(const ColorSpace& base, const ColorWishes& wishes) {
 bool ColorWishes::isValid(std::string* reason) const {
     std::string problem;
     try {
-        static_cast<void>(wishedSpace(*findColorSpace("srgb"), *this));
+        ColorWishes own = *this;
+        if (config) own.space = {};
+        static_cast<void>(wishedSpace(*findColorSpace("srgb"), own));
     } catch (const ArgumentError& error) {
         problem = error.what();
     }
@@ -92,6 +97,11 @@ bool ColorWishes::isValid(std::string* reason) const {
 ColorMeaning chosenMeaning(const TextureInfo& texture, const ColorWishes& wishes,
                            std::vector<std::string>& unused) {
     const ColorMeaning& own = texture.color;
+    if (wishes.config) {
+        if (auto meaning = openImageIOParts(texture.path).meaningByConfig(texture, wishes)) {
+            return *std::move(meaning);
+        }
+    }
     if (!wishes.any()) {
         if (!own.problem.empty()) throw FileError(texture.path, own.problem);
         return own;

@@ -1,3 +1,4 @@
+#include "texture/openimageio/color_config.h"
 #include "texture/openimageio/openimageio_file.h"
 #include "texture/openimageio/openimageio_parts.h"
 #include "texture/openimageio/openimageio_preview.h"
@@ -6,7 +7,7 @@ namespace specbake::internal {
 
 const OpenImageIOParts& openImageIOParts(const std::string& /*path*/) {
     static constexpr OpenImageIOParts parts = {openWithOpenImageIO, storageFactsOf,
-                                               createWithOpenImageIO};
+                                               createWithOpenImageIO, meaningByConfig};
     return parts;
 }
 

@@ -4,13 +4,15 @@
 #include "texture/image_file.h"
 
 #include <specbake/image/spectral_reader.h>
+#include <specbake/image/texture.h>
 
 #include <filesystem>
 
 namespace specbake::internal {
 
-/// All that uses OpenImageIO, or the C++ library of OpenEXR. The former brings hundreds of others
-/// with it, a quarter of a second of loading, so a program may put it off until a file needs it.
+/// All that uses OpenImageIO, OpenColorIO or the C++ library of OpenEXR. The former brings hundreds
+/// of others with it, a quarter of a second of loading, so a program may put it off until a file
+/// needs it.
 struct OpenImageIOParts {
     /// openWithOpenImageIO().
     std::unique_ptr<ImageFile> (*openImage)(const std::string& path,
@@ -20,6 +22,9 @@ struct OpenImageIOParts {
     /// createWithOpenImageIO().
     std::unique_ptr<PreviewFile> (*createPreview)(const std::filesystem::path& path,
                                                   const SpectralHeader& like);
+    /// meaningByConfig().
+    std::optional<ColorMeaning> (*meaningByConfig)(const TextureInfo& texture,
+                                                   const ColorWishes& wishes);
 };
 
 /// Who links specbake::image gets linked_openimageio.cpp, and OpenImageIO with the program. A

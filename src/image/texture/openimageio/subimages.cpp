@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <string_view>
 #include <vector>
 
@@ -70,6 +71,9 @@ std::unique_ptr<OIIO::ImageInput> openSubimage(const std::string& path, int subi
         // Lab with alpha is refused, but for its numbers as they are (OpenImageIO 2.4.7).
         if (!raw) input = open(path, true);
         static_cast<void>(OIIO::geterror());
+        std::error_code ignored;
+        const bool there = input || std::filesystem::exists(path, ignored);
+        if (!there) throw FileError(path, "no such file");
         if (!input || !holdsLab(input->spec())) throw FileError(path, reason);
     }
     input->threads(1);

@@ -5,7 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <vector>
 
 using namespace specbake::testing;
 
@@ -74,6 +76,45 @@ TEST_CASE("names that have a meaning already are refused") {
         CHECK(linesOf(outcome.err).size() == 1);
     }
     CHECK(scratch.names().empty());
+}
+
+TEST_CASE("oiio:SHA-1 of tiled files tells bakes apart that have other pixels, and those alone") {
+    const Scratch scratch;
+    const auto hash = [&](Names options) {
+        options.insert(options.begin(), {"--tile", "16", "16"});
+        return bakedWith(scratch, options).get_string_attribute("oiio:SHA-1");
+    };
+    const std::string first = hash({});
+    CHECK(first.size() == 40);
+    CHECK(first.find_first_not_of("0123456789ABCDEF") == std::string::npos);
+    CHECK(hash({}) == first);
+    CHECK(hash({"-j", "1"}) == first);
+    for (const Names& options : {Names{"--illuminant", "A"}, Names{"--bits", "7"},
+                                 Names{"--observer", "10"}, Names{"--mipmap"}}) {
+        CHECK(hash(options) != first);
+    }
+    CHECK(bakedWith(scratch, {}).find_attribute("oiio:SHA-1") == nullptr);
+}
+
+TEST_CASE("OpenImageIO's texture system knows the average colour of a file with mip levels") {
+    const Scratch scratch;
+    const OIIO::ImageSpec spec = bakedWith(scratch, {"--mipmap", "-d", "float"});
+    OIIO::TextureSystem* const system = OIIO::TextureSystem::create(true);
+    system->invalidate(OIIO::ustring(scratch.path("o.exr")));
+    std::vector<float> average(std::size_t(spec.nchannels), -1.0F);
+    REQUIRE(system->get_texture_info(
+        OIIO::ustring(scratch.path("o.exr")), 0, OIIO::ustring("averagecolor"),
+        OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, spec.nchannels), average.data()));
+    const ReadBack all(scratch.path("o.exr"));
+    for (std::size_t c = 0; c < average.size(); ++c) {
+        double sum = 0;
+        for (std::size_t at = c; at < all.samples.size(); at += average.size()) {
+            sum += double(all.samples[at]);
+        }
+        const double mean = sum * double(average.size()) / double(all.samples.size());
+        // A rounding to float in each of at most 8 levels.
+        CHECK(std::abs(double(average[c]) - mean) <= 8 * 0x1p-24 * mean);
+    }
 }
 
 TEST_CASE("tiled files have the marks that maketx writes") {

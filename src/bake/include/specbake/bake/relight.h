@@ -18,6 +18,7 @@ struct RelightOptions {
     std::string illuminant = "A";  ///< as an Observer takes it
     /// Further lights: a picture under each, side by side to the right of the first.
     std::vector<std::string> beside;
+    std::optional<std::string> observer;   ///< whose eye it is (quadrature.h); none: the file's
     std::optional<Quadrature> quadrature;  ///< none: that of the file
     /// How the viewer's eye has adapted to the light: white looks white; none: it shows its tint.
     Adaptation adapt = Adaptation::bradford;

@@ -15,6 +15,7 @@ namespace specbake {
 struct VerifyOptions {
     ColorWishes color;                      ///< none: what the spectral file says
     std::optional<std::string> illuminant;  ///< none: what the spectral file names
+    std::optional<std::string> observer;    ///< none: what the spectral file names
     std::optional<Adaptation> adapt;        ///< none: what the spectral file names
     std::optional<Quadrature> quadrature;   ///< none: what the spectral file names
     int threads = 0;                        ///< 0: all cores
@@ -44,6 +45,7 @@ struct Verification {
     std::size_t worstX = 0;  ///< the texel of maxDE2000, in the data window
     std::size_t worstY = 0;
     std::string illuminant;                     ///< under which was compared
+    std::string observer;                       ///< by whom
     Quadrature quadrature = Quadrature::bands;  ///< by which
 
     static constexpr double kUsualLimit = 0.5;

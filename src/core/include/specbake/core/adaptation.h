@@ -31,7 +31,9 @@ SPECBAKE_API Imath::M33d adaptation(const XYZ& from, const XYZ& to,
                                     Adaptation adaptation = Adaptation::bradford);
 
 /// Whether linear colours of the space are adapted before they hold under the light: not XYZ,
-/// which is the colour under the light, and not where the light is the space's own white.
+/// which is the colour under the light, and not where the light is the space's own white. That
+/// white and the primaries are what the 2-degree observer of 1931 sees; for one who sees the light
+/// as another white, colours are adapted as to another light.
 SPECBAKE_API bool isAdapted(const ColorSpace& space, const Observer& light);
 
 /// XYZ under the light from linear RGB of the space, so that XYZ(rgb * matrix), adapted if the

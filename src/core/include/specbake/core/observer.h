@@ -17,8 +17,9 @@
 
 namespace specbake {
 
-/// The CIE 1931 2-degree observer under one illuminant: the weights w_m of (1), the 81 products of
-/// colour-matching functions and illuminant, scaled so that the perfect reflector has Y = 1.
+/// An observer under one illuminant: the weights w_m of (1), the 81 products of colour-matching
+/// functions and illuminant, scaled so that the perfect reflector has Y = 1. The functions are
+/// those of CIE 1931 (2 degree) unless others are named (quadrature.h).
 ///
 /// Made for the fine quadrature, its weights are those of (M21), for any bands: at most 81 of them
 /// are the first of a Spectrum, whose other values weigh nothing; more are linear between 81 knots,
@@ -31,7 +32,8 @@ class SPECBAKE_API Observer {
     /// near.
     explicit Observer(std::string_view illuminant);
     /// Throws ArgumentError for another name, and for bands that the quadrature does not have.
-    Observer(std::string_view illuminant, Quadrature quadrature, const Wavelengths& bands);
+    Observer(std::string_view illuminant, Quadrature quadrature, const Wavelengths& bands,
+             std::string_view functions = kUsualObserver);
 
     /// As the list of names has it, or the text of a light of one's own.
     const std::string& illuminant() const { return illuminant_; }
@@ -40,11 +42,10 @@ class SPECBAKE_API Observer {
     const Wavelengths& bands() const { return bands_; }
     /// Where the first knots().count values of a Spectrum stand; the rest weigh nothing.
     Wavelengths knots() const { return bands_.knots(); }
-    /// Of the colour-matching functions.
-    std::string_view name() const {
-        return quadrature_ == Quadrature::bands ? "CIE 1931 2 degree, 5 nm"
-                                                : "CIE 1931 2 degree, 1 nm";
-    }
+    /// The colour-matching functions: the name in full, or the text of a table of one's own.
+    const std::string& functions() const { return functions_; }
+    /// The same with the table's step, "CIE 1931 2 degree, 5 nm", which is taken for a name, too.
+    std::string name() const;
 
     /// w_m, the tristimulus of band m at reflectance 1.
     const std::array<Imath::V3d, kBandCount>& weights() const { return weights_; }
@@ -61,6 +62,7 @@ class SPECBAKE_API Observer {
 
   private:
     std::string illuminant_;
+    std::string functions_{kUsualObserver};
     Quadrature quadrature_ = Quadrature::bands;
     Wavelengths bands_;
     std::array<Imath::V3d, kBandCount> weights_{};

@@ -21,6 +21,8 @@ inline constexpr int kDefaultGridNodes = 17;
 struct UpsamplerOptions {
     /// The light under which the colours hold, of illuminantNames(); none: the space's own white.
     std::optional<std::string> illuminant;
+    /// Who sees the colours so: of observerNames(), or a table of one's own (quadrature.h).
+    std::string observer{kUsualObserver};
     /// For a light that is not the space's own white (isAdapted()).
     Adaptation adapt = Adaptation::bradford;
     std::string method = "natural";  ///< of methods()

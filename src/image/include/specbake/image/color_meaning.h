@@ -25,6 +25,7 @@ enum class ColorModel {
 /// Who says what a texture's numbers mean.
 enum class ColorSource {
     user,            ///< or who hands over an image in memory
+    config,          ///< a configuration of OpenColorIO, named by the user
     icc,             ///< the file's ICC profile
     cicp,            ///< PNG: cICP, code points of ITU-T H.273
     srgbChunk,       ///< PNG: sRGB
@@ -34,7 +35,7 @@ enum class ColorSource {
     sampleType,      ///< nobody: integers are sRGB, floats linear Rec.709
 };
 
-/// "user", "icc", "cicp", "srgb", "gama", "chromaticities", "channels", "default".
+/// "user", "ocio", "icc", "cicp", "srgb", "gama", "chromaticities", "channels", "default".
 SPECBAKE_API std::string_view colorSourceName(ColorSource source);
 
 /// Stored pixels to linear colours, where no curve for each channel does it: four inks, Lab, a
@@ -62,6 +63,9 @@ struct ColorMeaning {
     ColorSource source = ColorSource::user;
     std::string reason;   ///< for people: "ICC profile 'Adobe RGB (1998)'"
     std::string profile;  ///< a hash of the profile, where one takes part beside `space`
+    /// Of ColorSource::config: what the configuration calls the numbers' space, and a hash of the
+    /// way from there to `space`, tables included.
+    std::string configSpace, configHash;
     std::string problem;  ///< why it cannot be used; empty if it can
     /// Instead of `space.transfer`, if there are any.
     std::shared_ptr<const SampledCurves> curves;
@@ -74,9 +78,15 @@ struct ColorWishes {
     std::optional<std::string> space;      ///< of colorSpaces() or an alias of one
     std::optional<std::string> transfer;   ///< as transferFromName() reads it
     std::optional<std::string> primaries;  ///< as primariesFromText() reads it
+    /// A configuration of OpenColorIO, a file: `space` is one of its spaces or roles if there is
+    /// one of the name, and without `space` its file rules are asked first, all but the default
+    /// one. `primaries` are then those of its role scene_linear, if no space of it says them.
+    std::optional<std::string> config = {};
 
+    /// Whether something is said of the numbers, by whatever `config` says.
     bool any() const { return space || transfer || primaries; }
-    /// Whether they can be read. `reason`, if it is given, says why not: one line.
+    /// Whether they can be read. `reason`, if it is given, says why not: one line. Names of spaces
+    /// that may be a configuration's are left to chosenMeaning().
     [[nodiscard]] SPECBAKE_API bool isValid(std::string* reason = nullptr) const;
 };
 
