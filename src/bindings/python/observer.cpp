@@ -22,17 +22,16 @@ Observer made(const std::string& light, const std::optional<std::string>& quadra
 py::array_t<double> weights(const Observer& observer) {
     const Wavelengths& bands = observer.bands();
     std::vector<Imath::V3d> ofBands(observer.weights().begin(), observer.weights().end());
-    if (bands.knots() != bands)
-        ofBands = {
-            ofBands = fineWeights(observer.illuminant(), listed(bands), observer.functions());
+    if (bands.knots() != bands) {
+        ofBands = fineWeights(observer.illuminant(), listed(bands), observer.functions());
+    }
+    py::array_t<double> values({py::ssize_t(bands.count), py::ssize_t(3)});
+    auto at = values.mutable_unchecked<2>();
+    for (py::ssize_t band = 0; band < bands.count; ++band) {
+        for (int c = 0; c < 3; ++c) at(band, c) = ofBands[std::size_t(band)][c];
+    }
+    return values;
 }
-py::array_t<double> values({py::ssize_t(bands.count), py::ssize_t(3)});
-auto at = values.mutable_unchecked<2>();
-for (py::ssize_t band = 0; band < bands.count; ++band) {
-    for (int c = 0; c < 3; ++c) at(band, c) = ofBands[std::size_t(band)][c];
-}
-return values;
-}  // namespace
 
 py::array_t<double> white(const Observer& observer) {
     py::array_t<double> values(3);
@@ -40,7 +39,7 @@ py::array_t<double> white(const Observer& observer) {
     return values;
 }
 
-}  // namespace specbake::python
+}  // namespace
 
 void addObserver(py::module_& module) {
     py::class_<Observer>(module, "Observer", R"(
