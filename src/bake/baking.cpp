@@ -4,6 +4,9 @@
 #include "pipeline.h"
 #include "refusal.h"
 
+#include <specbake/core/error.h>
+#include <specbake/image/limits.h>
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -58,10 +61,11 @@ ColorCensus Baking::run(const std::function<void(double)>& progress) {
         if (progress) progress(double(band.firstRow + band.rows) / height);
         band = {};
     };
-    runPipeline(int(bands.size()),
-                {[&](int i) { readBand(bands[std::size_t(i)]); },
-                 [&](int i) { processBand(bands[std::size_t(i)]); }, write},
-                source_.threads, source_.stop);
+    runPipeline(
+        int(bands.size()),
+        {[&](int i) { readBand(bands[std::size_t(i)]); },
+         [&](int i) { processBand(bands[std::size_t(i)]); }, write, bandBytes(bands.front())},
+        source_.threads, source_.stop);
     refuseIncomplete(source_.info(), census_);
     return census_;
 }
@@ -90,6 +94,20 @@ std::vector<Band> Baking::bandsOf() const {
         bands.push_back(std::move(band));
     }
     return bands;
+}
+
+/// Its texels, its samples, what they are packed from and what into. Throws FileError for more than
+/// the limit.
+std::size_t Baking::bandBytes(const Band& band) const {
+    std::size_t chunks = 0;
+    for (std::size_t i = 0; i < band.packed.size(); ++i) {
+        chunks += sink_.chunkBytes(band.firstChunk + int(i));
+    }
+    const std::size_t bytes = source_.info().bytesPerRow() * std::size_t(band.rows) + 3 * chunks;
+    if (bytes <= limits().memory) return bytes;
+    throw FileError(source_.info().path,
+                    "its rows are so long that those of one chunk take " + bytesText(bytes) +
+                        ", more than --max-memory: tiles, or --compression zips, take less");
 }
 
 void Baking::readBand(Band& band) {

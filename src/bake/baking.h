@@ -35,6 +35,7 @@ class Baking {
 
   private:
     std::vector<Band> bandsOf() const;
+    std::size_t bandBytes(const Band& band) const;
     void readBand(Band& band);
     void processBand(Band& band);
     void reduceBand(Band& band);

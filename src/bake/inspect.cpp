@@ -1,3 +1,5 @@
+#include "reading.h"
+
 #include <specbake/bake/inspect.h>
 #include <specbake/core/error.h>
 
@@ -28,7 +30,7 @@ BandStatistics bandStatistics(const std::string& spectral) {
     statistics.mean.assign(bands, 0);
     statistics.largest.assign(bands, -infinity);
     statistics.texels = std::size_t(window.width) * std::size_t(window.height);
-    constexpr int together = 16;  // rows of a ZIP chunk
+    const int together = internal::rowsTogether(reader);
     std::vector<float> samples;
     for (int row = 0; row < window.height; row += together) {
         const int rows = std::min(together, window.height - row);

@@ -1,15 +1,23 @@
 #include "pipeline.h"
 
 #include <specbake/core/error.h>
+#include <specbake/image/limits.h>
 
+#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace specbake::internal {
 
 int threadCount(int threads) {
-    return threads > 0 ? threads : tbb::info::default_concurrency();
+    using Limit = tbb::global_control;
+    const std::size_t most = Limit::active_value(Limit::max_allowed_parallelism);
+    const int wanted = threads > 0 ? threads : tbb::info::default_concurrency();
+    return int(std::min(std::size_t(wanted), most));
 }
 
 void runPipeline(int count, const Stages& stages, int threads, const std::stop_token& stop) {
@@ -28,7 +36,9 @@ void runPipeline(int count, const Stages& stages, int threads, const std::stop_t
         stages.process(band);
         return band;
     };
-    const auto inFlight = std::size_t(workers) + 1;  // one to be read or written beside them
+    const std::size_t room = limits().memory / std::max<std::size_t>(stages.bandBytes, 1);
+    // One to be read or written beside those of the workers.
+    const std::size_t inFlight = std::clamp<std::size_t>(room, 1, std::size_t(workers) + 1);
     tbb::task_arena(workers).execute([&] {
         using enum tbb::filter_mode;
         tbb::parallel_pipeline(inFlight,

@@ -24,6 +24,14 @@ bool isUsual(const SpectralReader& spectral) {
 
 }  // namespace
 
+int rowsTogether(const SpectralReader& spectral) {
+    constexpr std::size_t most = 16;
+    constexpr std::size_t enough = std::size_t(1) << 26;  // bytes
+    const std::size_t row =
+        std::size_t(spectral.header().data.width) * spectral.wavelengths().size() * sizeof(float);
+    return int(std::clamp<std::size_t>(enough / row, 1, most));
+}
+
 Quadrature statedQuadrature(const std::string& path, const SpectralReader& spectral) {
     const auto stated = spectral.text("specbake:quadrature");
     if (!stated) return isUsual(spectral) ? Quadrature::bands : Quadrature::fine;

@@ -13,6 +13,10 @@
 
 namespace specbake::internal {
 
+/// How many rows of a spectral image are best looked at together: those of a ZIP chunk, or fewer
+/// where they are long.
+int rowsTogether(const SpectralReader& spectral);
+
 /// The quadrature for which a file says that its colours are exact. Of a file that says nothing:
 /// the sum over the bands if it has the usual 81, else the fine one. Throws FileError for another.
 Quadrature statedQuadrature(const std::string& path, const SpectralReader& spectral);

@@ -1,5 +1,6 @@
 #include "lit_bands.h"
 #include "pipeline.h"
+#include "reading.h"
 
 #include <specbake/bake/relight.h>
 #include <specbake/core/error.h>
@@ -45,23 +46,22 @@ class Relighting {
                const RelightOptions& options)
         : reader_(spectral),
           lights_(allLitBands(spectral, reader_, options)),
-          writer_(picture, widened(reader_.header(), lights_.size())) {}
+          writer_(picture, widened(reader_.header(), lights_.size()), options.sync) {}
 
     void run(const RelightOptions& options) {
-        bands_.resize(std::size_t((height() + kRows - 1) / kRows));
+        bands_.resize(std::size_t((height() + rowsTogether_ - 1) / rowsTogether_));
         const auto write = [&](int i) {
             writeBand(i);
             if (options.progress) options.progress(double(i + 1) / double(bands_.size()));
         };
         runPipeline(int(bands_.size()),
-                    {[&](int i) { read(i); }, [&](int i) { light(bands_[std::size_t(i)]); }, write},
+                    {[&](int i) { read(i); }, [&](int i) { light(bands_[std::size_t(i)]); }, write,
+                     bandBytes()},
                     options.threads, options.stop);
         writer_.commit();
     }
 
   private:
-    static constexpr int kRows = 16;
-
     /// Some rows on their way.
     struct Band {
         std::vector<float> samples;  ///< of each texel its bands
@@ -72,12 +72,17 @@ class Relighting {
     std::size_t width() const { return std::size_t(reader_.header().data.width); }
     int height() const { return reader_.header().data.height; }
 
+    std::size_t bandBytes() const {
+        const std::size_t floats = reader_.wavelengths().size() + 1 + 4 * lights_.size();
+        return std::size_t(rowsTogether_) * width() * floats * sizeof(float);
+    }
+
     void read(int i) {
         Band& band = bands_[std::size_t(i)];
-        const int rows = std::min(kRows, height() - i * kRows);
+        const int rows = std::min(rowsTogether_, height() - i * rowsTogether_);
         band.alpha.resize(std::size_t(rows) * width(), 1.0F);
         band.samples.resize(band.alpha.size() * lights_.front().size());
-        reader_.readRows(i * kRows, rows, band.samples, band.alpha);
+        reader_.readRows(i * rowsTogether_, rows, band.samples, band.alpha);
     }
 
     void light(Band& band) const {
@@ -110,6 +115,7 @@ class Relighting {
     }
 
     SpectralReader reader_;
+    int rowsTogether_ = rowsTogether(reader_);
     std::vector<LitBands> lights_;
     PreviewWriter writer_;
     std::vector<Band> bands_;

@@ -1,6 +1,7 @@
 #include "bake_arguments.h"
 
 #include "attribute_choices.h"
+#include "guard/limit_choices.h"
 
 #include <specbake/core/error.h>
 
@@ -142,6 +143,9 @@ void addBakeOptions(CLI::App& command, BakeArguments& a) {
         ->type_name("NAME VALUE")
         ->allow_extra_args(false);
     addThreads(command, a.rest.threads);
+    addLimits(command);
+    addIsolation(command);
+    addSync(command, a.rest.storage.sync);
 }
 
 }  // namespace specbake::tool

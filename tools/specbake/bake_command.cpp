@@ -4,6 +4,8 @@
 #include "batch/input_names.h"
 #include "batch/plan.h"
 #include "commands.h"
+#include "guard/file_names.h"
+#include "guard/streams.h"
 #include "progress_bar.h"
 #include "stop_signals.h"
 #include "thread_pool.h"
@@ -18,7 +20,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -47,12 +48,7 @@ void writeStats(const nlohmann::ordered_json& json, const Arguments& a) {
         std::fputs(text.c_str(), stdout);
         return;
     }
-    OutputFile file(a.statsFile);
-    std::ofstream out(file.temporaryPath());
-    out << text;
-    out.close();
-    if (!out) throw FileError(a.statsFile, "cannot be written");
-    file.commit();
+    writeWhole(a.statsFile, text, a.bake.rest.storage.sync);
 }
 
 void report(const BakeStatistics& s, const Arguments& a, const std::string& input) {
@@ -62,29 +58,37 @@ void report(const BakeStatistics& s, const Arguments& a, const std::string& inpu
     if (a.verbose && toStdout) std::printf("%s\n", bakeLine(input, a.output, s).c_str());
 }
 
-void checkOutput(const Arguments& a, const std::string& texture) {
-    const std::string second = a.bake.second.substr(a.bake.second.find('=') + 1);
-    for (const std::string& input : {texture, a.bake.materialMap, second, a.bake.model.samples}) {
-        std::error_code missing;
-        if (!input.empty() && fs::equivalent(input, a.output, missing)) {
-            throw ArgumentError(a.output + ": the output is the input");
-        }
+/// What is read beside textures.
+void addSideInputs(const Arguments& a, FileNames& files) {
+    const auto sign = a.bake.second.find('=');
+    if (sign != std::string::npos) {  // its light may be a file
+        files.addInput(a.bake.second.substr(0, sign));
+        files.addInput(a.bake.second.substr(sign + 1));
     }
+    for (const auto& input : {a.bake.materialMap, a.bake.model.samples}) files.addInput(input);
+}
+
+void checkOutput(const Arguments& a, const std::string& texture) {
+    FileNames files;
+    files.addInput(texture);
+    addSideInputs(a, files);
+    files.addOutput(a.output, "-o");
+    files.addOutput(a.statsFile, "--stats");
+    files.addOutput(a.reportFile, "--report");
     checkSpectralName(a.output);
 }
 
 ExitCode bakeOne(const Arguments& a, const std::string& input) {
     checkOutput(a, input);
     const ThreadPool pool(a.bake.rest.threads);
-    StopSignals signals;
     try {
-        ProgressBar bar("baking " + fs::path(input).filename().string(), !a.quiet);
         std::vector<std::string> notes;
         BakeOptions options = a.bake.options(notes);
-        options.stop = signals.token();
+        ProgressBar bar("baking " + fs::path(input).filename().string(), !a.quiet);
+        options.stop = StopSignals::token();
         options.progress = [&bar](double done) { bar.show(done); };
         if (a.update && !outdated(input, a.output, options)) {
-            if (a.verbose) std::printf("%s is up to date\n", a.output.c_str());
+            if (a.verbose) std::printf("%s is up to date\n", shown(a.output).c_str());
             return kDone;
         }
         BakeStatistics s = bake(input, a.output, options);
@@ -93,9 +97,6 @@ ExitCode bakeOne(const Arguments& a, const std::string& input) {
         if (!a.statsFile.empty()) writeStats(bakeJson(input, a.output, s), a);
         if (!a.reportFile.empty()) writePage(a.reportFile, input, a.output, options, s);
         report(s, a, input);
-    } catch (const Cancelled&) {
-        signals.passOn();
-        throw;
     } catch (const FileError& error) {
         if (!a.statsFile.empty()) writeStats(failureJson(input, a.output, error.what()), a);
         throw;
@@ -112,21 +113,26 @@ bool namesByInput(const std::string& output) {
 
 ExitCode bakeCommand(const Arguments& a) {
     Inputs inputs = expandInputs(a.inputs);
+    for (const std::string& word : a.inputs) {
+        if (word.starts_with('@')) noteInput(word.substr(1));
+    }
     const bool toFile = !namesByInput(a.output) && a.shard.empty();
     if (inputs.single && toFile) return bakeOne(a, inputs.all.front().path);
     if (!a.bake.second.empty()) throw ArgumentError("--second is of one texture, not of several");
     std::vector<std::string> notes;
     const BakeOptions options = a.bake.options(notes);
+    for (const std::string& input : {a.bake.materialMap, a.bake.model.samples}) noteInput(input);
     for (const std::string& note : notes) {
         if (!a.quiet) std::fprintf(stderr, "specbake: %s\n", note.c_str());
     }
-    return batchCommand({std::move(inputs),
-                         a.output,
-                         a.reportFile,
-                         options,
-                         a.update,
-                         a.shard,
-                         {a.statsFile, a.bake.model.outside, a.verbose, a.quiet}});
+    return batchCommand(
+        {std::move(inputs),
+         a.output,
+         a.reportFile,
+         options,
+         a.update,
+         a.shard,
+         {a.statsFile, a.bake.model.outside, a.verbose, a.quiet, a.bake.rest.storage.sync}});
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "bake_report.h"
 
+#include "guard/streams.h"
+
 #include <specbake/bake/report.h>
 
 #include <fmt/format.h>
@@ -52,20 +54,21 @@ std::string jsonText(const Json& json, int indent) {
 }
 
 void printRemarks(const std::string& input, const BakeStatistics& s, const std::string& outside) {
-    for (const std::string& note : s.notes) {
-        std::fprintf(stderr, "specbake: %s: %s\n", input.c_str(), note.c_str());
-    }
+    const auto print = [&](const std::string& remark) {
+        std::fprintf(stderr, "specbake: %s\n", shown(input + ": " + remark).c_str());
+    };
+    for (const std::string& note : s.notes) print(note);
     if (s.outsideTexels > 0) {
         std::fprintf(stderr,
                      "specbake: %s: %zu texels have a colour that no reflectance has; they were "
                      "moved by up to CIEDE2000 %.2f (--outside %s)\n",
-                     input.c_str(), s.outsideTexels, s.largestMove, outside.c_str());
+                     shown(input).c_str(), s.outsideTexels, s.largestMove, outside.c_str());
     }
     if (s.secondMissed > 0) {
         std::fprintf(stderr,
                      "specbake: %s: %zu texels have colours that no reflectance has under both %s "
                      "and %s; the second is off by up to CIEDE2000 %.2f\n",
-                     input.c_str(), s.secondMissed, s.illuminant.c_str(),
+                     shown(input).c_str(), s.secondMissed, s.illuminant.c_str(),
                      s.secondIlluminant.c_str(), s.largestSecondMiss);
     }
 }
@@ -76,12 +79,12 @@ std::string choicesText(const std::string& output, const BakeStatistics& s) {
         text += fmt::format(
             "{}: a grid of {} nodes deviates by {:.5f} RMS, by {:.4f} in one texel ({}{} "
             "colours)\n",
-            output, s.grid, *s.deviation, s.largestDeviation,
+            shown(output), s.grid, *s.deviation, s.largestDeviation,
             s.deviationOfAll ? "" : "a sample of ", s.deviationColors);
     }
     if (s.difference) {
         text += fmt::format("{}: {} bits of mantissa keep every texel within CIEDE2000 {:.4f}\n",
-                            output, s.bits, *s.difference);
+                            shown(output), s.bits, *s.difference);
     }
     return text;
 }
@@ -90,11 +93,12 @@ std::string bakeLine(const std::string& input, const std::string& output, const 
     const std::string adapted =
         s.adapted ? fmt::format(", adapted to {}: {}", s.illuminant, adaptationName(*s.adapted))
                   : "";
-    return fmt::format("{}: colours are {} ({}){}\n", input, s.space, s.colorReason, adapted) +
+    return fmt::format("{}: colours are {} ({}){}\n", shown(input), s.space, s.colorReason,
+                       adapted) +
            fmt::format(
                "{} -> {}: {} texels ({}, {}) in {:.2f} s; {} nodes solved, {} texels one by one",
-               input, output, s.texels, s.space, s.illuminant, s.seconds, s.nodesSolved,
-               s.directTexels);
+               shown(input), shown(output), s.texels, s.space, s.illuminant, s.seconds,
+               s.nodesSolved, s.directTexels);
 }
 
 void writePage(const std::string& page, const std::string& input, const std::string& output,
@@ -103,6 +107,7 @@ void writePage(const std::string& page, const std::string& input, const std::str
     report.verify.read = options.read;
     report.verify.color = options.color;
     report.verify.threads = options.threads;
+    report.sync = options.storage.sync;
     report.facts = {{"colours are", s.space + " (" + s.colorReason + ")"},
                     {"texels", std::to_string(s.texels)},
                     {"texels outside the solid", std::to_string(s.outsideTexels)},

@@ -1,6 +1,7 @@
 #include "choices.h"
 
 #include "farm/allotment.h"
+#include "guard/streams.h"
 
 #include <specbake/core/error.h>
 #include <specbake/core/methods.h>
@@ -242,7 +243,8 @@ std::optional<Quadrature> quadratureOf(const std::optional<std::string>& name) {
 
 void printNotes(const std::vector<std::string>& notes, const Upsampler& upsampler) {
     for (const auto* list : {&notes, &upsampler.notes()}) {
-        for (const std::string& note : *list) std::fprintf(stderr, "specbake: %s\n", note.c_str());
+        for (const std::string& note : *list)
+            std::fprintf(stderr, "specbake: %s\n", shown(note).c_str());
     }
 }
 

@@ -1,4 +1,8 @@
+#include "bake_report.h"
 #include "commands.h"
+#include "guard/file_names.h"
+#include "guard/limit_choices.h"
+#include "guard/streams.h"
 #include "spectrum_plot.h"
 
 #include <specbake/bake/inspect.h>
@@ -13,7 +17,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <numeric>
@@ -29,6 +32,7 @@ struct Arguments {
     std::vector<int> places;  ///< x, y, x, y, …
     std::string plotFile;
     bool json = false;
+    bool sync = false;
 };
 
 double least(const BandStatistics& s) {
@@ -109,8 +113,9 @@ void printFacts(const std::string& path, const SpectralReader& reader, const Ban
     const StorageFacts facts = reader.facts();
     const Window& data = reader.header().data;
     const Window& display = reader.header().display;
-    std::printf("%s: %d x %d texels, %d channels of %s, compression %s", path.c_str(), data.width,
-                data.height, facts.channels, facts.sampleType.c_str(), facts.compression.c_str());
+    std::printf("%s: %d x %d texels, %d channels of %s, compression %s", shown(path).c_str(),
+                data.width, data.height, facts.channels, facts.sampleType.c_str(),
+                facts.compression.c_str());
     if (facts.tileWidth > 0) std::printf(", tiles %d x %d", facts.tileWidth, facts.tileHeight);
     if (facts.levels > 1) std::printf(", %d mip levels", facts.levels);
     const std::vector<double>& nm = reader.wavelengths();
@@ -123,7 +128,7 @@ void printFacts(const std::string& path, const SpectralReader& reader, const Ban
     std::printf("reflectance: min %.6g, mean %.6g, max %.6g; %zu samples outside [0, 1]\n",
                 least(s), mean(s), largest(s), s.outOfRange);
     for (const auto& [name, value] : facts.attributes) {
-        std::printf("%s: %s\n", name.c_str(), value.c_str());
+        std::printf("%s: %s\n", shown(name).c_str(), shown(value).c_str());
     }
 }
 
@@ -139,13 +144,8 @@ void printCsv(const std::vector<double>& wavelengths, const std::vector<Curve>& 
 }
 
 void writePlot(const Arguments& a, const SpectralReader& reader, const std::vector<Curve>& curves) {
-    OutputFile file(a.plotFile);
-    std::ofstream out(file.temporaryPath());
-    out << spectrumPlot(std::filesystem::path(a.spectral).filename().string(), reader.wavelengths(),
-                        curves);
-    out.close();
-    if (!out) throw FileError(a.plotFile, "cannot be written");
-    file.commit();
+    const std::string title = std::filesystem::path(a.spectral).filename().string();
+    writeWhole(a.plotFile, spectrumPlot(title, reader.wavelengths(), curves), a.sync);
 }
 
 /// Texels alone: the file is not read as a whole.
@@ -159,13 +159,16 @@ void inspectTexels(const Arguments& a, SpectralReader& reader) {
                           {"y", a.places[2 * i + 1]},
                           {"reflectance", curves[i].spectrum}});
     }
-    std::cout << Json({{"texels", texels}}).dump(2) << '\n';
+    std::cout << jsonText(Json({{"texels", texels}}), 2) << '\n';
 }
 
 ExitCode inspectCommand(const Arguments& a) {
     if (!a.plotFile.empty() && std::filesystem::path(a.plotFile).extension() != ".svg") {
         throw ArgumentError(a.plotFile + ": a plot is an SVG; its name must end in .svg");
     }
+    FileNames files;
+    files.addInput(a.spectral);
+    files.addOutput(a.plotFile, "--plot");
     SpectralReader reader(a.spectral);
     if (!a.places.empty()) {
         inspectTexels(a, reader);
@@ -174,7 +177,7 @@ ExitCode inspectCommand(const Arguments& a) {
     const BandStatistics statistics = bandStatistics(a.spectral);
     if (!a.plotFile.empty()) writePlot(a, reader, curvesOf(statistics));
     if (a.json) {
-        std::cout << factsJson(reader, statistics).dump(2) << '\n';
+        std::cout << jsonText(factsJson(reader, statistics), 2) << '\n';
     } else {
         printFacts(a.spectral, reader, statistics);
     }
@@ -197,6 +200,9 @@ Command addInspect(CLI::App& program) {
                         "draw those texels' spectra to this SVG; without --at each band's extremes "
                         "and mean");
     command->add_flag("--json", a->json, "print JSON");
+    addLimits(*command);
+    addIsolation(*command);
+    addSync(*command, a->sync);
     return [a] { return inspectCommand(*a); };
 }
 

@@ -1,10 +1,13 @@
 #include "commands.h"
+#include "guard/isolated_reader.h"
+#include "guard/streams.h"
 #include "help/help_commands.h"
 #include "help/help_formatter.h"
 #include "help/help_texts.h"
 #include "help/option_facts.h"
 #include "help/suggestions.h"
 #include "help/version_text.h"
+#include "stop_signals.h"
 
 #include <specbake/core/error.h>
 
@@ -28,7 +31,7 @@ std::string listed(const std::vector<std::string>& names) {
     return text + " (--help tells more)";
 }
 
-int run(int argc, char** argv) {
+ExitCode run(int argc, char** argv) {
     CLI::App program("specbake: XYZ and RGB textures to spectral textures", "specbake");
     program.set_version_flag("--version", versionText());
     program.require_subcommand(1);
@@ -64,15 +67,31 @@ int run(int argc, char** argv) {
 }
 
 ExitCode fail(const char* what, ExitCode code) {
-    std::fprintf(stderr, "specbake: %s\n", what);
+    std::fprintf(stderr, "specbake: %s\n", shown(what).c_str());
     return code;
+}
+
+ExitCode runToTheEnd(int argc, char** argv) {
+    const StopSignals signals;
+    try {
+        const ExitCode code = run(argc, argv);
+        finishStdout();
+        StopSignals::passOn();
+        return code;
+    } catch (...) {
+        StopSignals::passOn();
+        throw;
+    }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
-        return run(argc, argv);
+        openStandardStreams();
+        if (isIsolatedReader(argc, argv)) return serveReads();
+        isolate(Isolation::automatic);
+        return runToTheEnd(argc, argv);
     } catch (const ArgumentError& error) {
         return fail(error.what(), kUsage);
     } catch (const Error& error) {

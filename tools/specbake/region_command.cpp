@@ -1,5 +1,7 @@
 #include "choices.h"
 #include "commands.h"
+#include "guard/file_names.h"
+#include "guard/limit_choices.h"
 
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
@@ -11,9 +13,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 namespace specbake::tool {
 namespace {
@@ -24,6 +26,7 @@ struct Arguments {
     BandArguments reader;
     std::string objFile;
     bool json = false;
+    bool sync = false;
 };
 
 void printJson(const SolidFacts& f) {
@@ -72,18 +75,16 @@ void printText(const SolidFacts& f) {
     std::printf("  volume              %.12g\n", f.volume);
 }
 
-void writeMesh(const std::string& path, const Observer& observer) {
-    OutputFile file(path);
-    std::ofstream out(file.temporaryPath());
-    writeObj(solidMesh(Solid(observer)), out);
-    out.close();
-    if (!out) throw FileError(path, "cannot be written");
-    file.commit();
+void writeMesh(const std::string& path, const Observer& observer, bool sync) {
+    std::ostringstream mesh;
+    writeObj(solidMesh(Solid(observer)), mesh);
+    writeWhole(path, mesh.str(), sync);
 }
 
 ExitCode regionCommand(const Arguments& a) {
     const Observer observer(a.illuminant, a.reader.usedQuadrature(), a.reader.bands(), a.observer);
-    if (!a.objFile.empty()) writeMesh(a.objFile, observer);
+    FileNames().addOutput(a.objFile, "--obj");
+    if (!a.objFile.empty()) writeMesh(a.objFile, observer, a.sync);
     const SolidFacts facts = solidFacts(observer);
     a.json ? printJson(facts) : printText(facts);
     return kDone;
@@ -102,6 +103,7 @@ Command addRegion(CLI::App& program) {
     addBandOptions(*command, a->reader);
     command->add_option("--obj", a->objFile, "write the solid as a mesh (Wavefront OBJ)");
     command->add_flag("--json", a->json, "print the facts as JSON");
+    addSync(*command, a->sync);
     return [a] { return regionCommand(*a); };
 }
 

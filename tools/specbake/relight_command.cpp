@@ -1,5 +1,7 @@
 #include "choices.h"
 #include "commands.h"
+#include "guard/file_names.h"
+#include "guard/limit_choices.h"
 #include "progress_bar.h"
 #include "stop_signals.h"
 #include "thread_pool.h"
@@ -31,26 +33,19 @@ struct Arguments {
 };
 
 ExitCode relightCommand(const Arguments& a) {
-    std::error_code missing;
-    if (fs::equivalent(a.spectral, a.picture, missing)) {
-        throw ArgumentError(a.picture + ": the output is the input");
-    }
+    FileNames files;
+    files.addInput(a.spectral);
+    files.addOutput(a.picture, "-o");
     const ThreadPool pool(a.options.threads);
-    StopSignals signals;
-    try {
-        ProgressBar bar("relighting " + fs::path(a.spectral).filename().string(), !a.quiet);
-        RelightOptions options = a.options;
-        options.illuminant = a.lights.front();
-        options.beside.assign(a.lights.begin() + 1, a.lights.end());
-        options.adapt = a.noAdapt ? Adaptation::none : adaptationFromName(a.adapt).value();
-        options.quadrature = quadratureOf(a.quadrature);
-        options.stop = signals.token();
-        options.progress = [&bar](double done) { bar.show(done); };
-        relight(a.spectral, a.picture, options);
-    } catch (const Cancelled&) {
-        signals.passOn();
-        throw;
-    }
+    ProgressBar bar("relighting " + fs::path(a.spectral).filename().string(), !a.quiet);
+    RelightOptions options = a.options;
+    options.illuminant = a.lights.front();
+    options.beside.assign(a.lights.begin() + 1, a.lights.end());
+    options.adapt = a.noAdapt ? Adaptation::none : adaptationFromName(a.adapt).value();
+    options.quadrature = quadratureOf(a.quadrature);
+    options.stop = StopSignals::token();
+    options.progress = [&bar](double done) { bar.show(done); };
+    relight(a.spectral, a.picture, options);
     return kDone;
 }
 
@@ -88,6 +83,9 @@ Command addRelight(CLI::App& program) {
         ->capture_default_str();
     addReaderQuadrature(*command, a->quadrature);
     addThreads(*command, a->options.threads);
+    addLimits(*command);
+    addIsolation(*command);
+    addSync(*command, a->options.sync);
     command->add_flag("-q,--quiet", a->quiet, "no progress bar");
     return [a] { return relightCommand(*a); };
 }

@@ -1,13 +1,16 @@
 #pragma once
 
-#include <csignal>
 #include <stop_token>
 #include <thread>
 
 namespace specbake::tool {
 
-/// Turns SIGINT and SIGTERM into a stop request while it lives, so that what is half-written is
-/// removed before the process ends. Make it before any other thread.
+/// Ends the process by the signals INT, TERM, HUP and PIPE, and XFSZ where another process sends
+/// it, within a second wherever it stands, and leaves nothing behind: they are a stop request while
+/// there is time, and what is half-written is removed in any case. Those that are ignored stay so.
+/// A file's size beyond the limit of the process is an error of that file and no more.
+///
+/// One in a process, as long as its work goes on.
 class StopSignals {
   public:
     StopSignals();
@@ -15,15 +18,12 @@ class StopSignals {
     StopSignals(const StopSignals&) = delete;
     StopSignals& operator=(const StopSignals&) = delete;
 
-    std::stop_token token() const { return source_.get_token(); }
+    static std::stop_token token();
 
     /// Ends the process by the signal that came, if one did, as if it had not been caught.
-    void passOn() const;
+    static void passOn();
 
   private:
-    sigset_t signals_;
-    std::stop_source source_;
-    volatile int received_ = 0;
     std::thread waiter_;
 };
 

@@ -1,14 +1,15 @@
 #include "choices.h"
 #include "commands.h"
+#include "guard/file_names.h"
+#include "guard/limit_choices.h"
+#include "guard/streams.h"
 
-#include <specbake/core/error.h>
 #include <specbake/core/table.h>
 #include <specbake/image/output_file.h>
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <fstream>
 #include <memory>
 
 namespace specbake::tool {
@@ -19,16 +20,8 @@ struct Arguments {
     ColorArguments color;
     ModelArguments model;
     int grid = kDefaultGridNodes;
+    bool sync = false;
 };
-
-void write(const std::string& path, const std::vector<std::byte>& bytes) {
-    OutputFile file(path);
-    std::ofstream stream(file.temporaryPath(), std::ios::binary);
-    stream.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-    stream.close();
-    if (!stream) throw FileError(path, "cannot be written whole");
-    file.commit();
-}
 
 void print(const char* where, const TableErrors& errors) {
     std::printf("  %-20s mean %.4f, 99th percentile %.4f, largest %.4f\n", where, errors.mean,
@@ -44,6 +37,9 @@ void print(Quadrature quadrature, const TableErrors& everywhere, const TableErro
 }
 
 ExitCode tableCommand(const Arguments& a) {
+    FileNames files;
+    files.addInput(a.model.samples);
+    files.addOutput(a.output, "-o");
     const ColorSpace space = wishedSpace(*findColorSpace("srgb"), a.color.wishes());
     std::vector<std::string> notes;
     UpsamplerOptions options = a.model.options(notes);
@@ -51,8 +47,9 @@ ExitCode tableCommand(const Arguments& a) {
     const Upsampler upsampler(space, options);
     printNotes(notes, upsampler);
     const SpectralTableFile table = spectralTable(upsampler);
-    write(a.output, table.bytes);
-    std::printf("%s: %d nodes an axis, %.2f MB\n", a.output.c_str(), a.grid,
+    writeWhole(a.output, {reinterpret_cast<const char*>(table.bytes.data()), table.bytes.size()},
+               a.sync);
+    std::printf("%s: %d nodes an axis, %.2f MB\n", shown(a.output).c_str(), a.grid,
                 double(table.bytes.size()) / 1e6);
     const bool isFine = table.quadrature == Quadrature::fine;
     const SpectralTableFile& t = table;
@@ -83,6 +80,7 @@ Command addTable(CLI::App& program) {
     command->add_option("--grid", a->grid, "nodes of the table along each axis")
         ->check(CLI::Range(kFewestGridNodes, kMostGridNodes))
         ->capture_default_str();
+    addSync(*command, a->sync);
     return [a] { return tableCommand(*a); };
 }
 

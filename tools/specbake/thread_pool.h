@@ -1,6 +1,7 @@
 #pragma once
 
 #include "farm/allotment.h"
+#include "guard/possible_threads.h"
 
 #include <tbb/global_control.h>
 
@@ -15,7 +16,7 @@ class ThreadPool {
   public:
     explicit ThreadPool(int threads)
         : limit_(tbb::global_control::max_allowed_parallelism,
-                 std::size_t(std::max(threads, allottedThreads()))) {}
+                 std::size_t(possibleThreads(std::max(threads, allottedThreads())))) {}
 
   private:
     tbb::global_control limit_;

@@ -1,5 +1,8 @@
 #include "choices.h"
 #include "commands.h"
+#include "guard/file_names.h"
+#include "guard/limit_choices.h"
+#include "guard/streams.h"
 #include "thread_pool.h"
 
 #include <specbake/bake/compare_spectra.h>
@@ -9,6 +12,7 @@
 #include <specbake/image/second_reading.h>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -36,6 +40,7 @@ struct Arguments {
     bool independent = true;
     bool json = false;
     bool quiet = false;
+    bool sync = false;
 };
 
 Json jsonOf(const Verification& v) {
@@ -64,7 +69,9 @@ Json jsonOf(const SpectralDifference& d) {
 
 /// One more reason why a file does not pass, if any texel has it.
 void complain(const Arguments& a, std::size_t texels, const std::string& what) {
-    if (texels > 0) std::printf("%s: %zu texels %s\n", a.spectral.c_str(), texels, what.c_str());
+    if (texels > 0)
+        std::printf("%s\n",
+                    shown(fmt::format("{}: {} texels {}", a.spectral, texels, what)).c_str());
 }
 
 std::string upTo(double difference) {
@@ -77,7 +84,7 @@ void printText(const Arguments& a, const Verification& v) {
     std::printf(
         "%s: %zu texels under %s%s%s: CIEDE2000 mean %.4f, p99 %.4f, max %.4f at (%zu, %zu); "
         "largest |dXYZ| %.2e; %zu samples outside [0, 1]; %zu colours outside the solid\n",
-        a.spectral.c_str(), v.texels, v.illuminant.c_str(), byWhom(v.observer).c_str(),
+        shown(a.spectral).c_str(), v.texels, v.illuminant.c_str(), byWhom(v.observer).c_str(),
         v.quadrature == Quadrature::fine ? ", integrated every 1 nm" : "", v.meanDE2000,
         v.p99DE2000, v.maxDE2000, v.worstX, v.worstY, v.maxXYZDifference, v.outOfRange,
         v.outsideSolid);
@@ -94,7 +101,7 @@ void printText(const Arguments& a, const Verification& v) {
 
 void printText(const Arguments& a, const SpectralDifference& d) {
     std::printf("%s: %zu texels beside %s: bands differ by %.2e RMS, %.2e at most",
-                a.spectral.c_str(), d.texels, a.reference.c_str(), d.rms, d.largest);
+                shown(a.spectral).c_str(), d.texels, shown(a.reference).c_str(), d.rms, d.largest);
     if (d.largest > 0) std::printf(", at (%zu, %zu), %g nm", d.worstX, d.worstY, d.worstBand);
     std::printf("\n");
     complain(a, d.notFinite, "have a number that is not finite, here or in " + a.reference);
@@ -118,7 +125,7 @@ bool confirmReading(const Arguments& a, Json& json) {
                                    : "OpenImageIO reads the same";
     json["colors"]["reading"] = result;
     const bool agree = !second.difference;
-    if (!a.json && !a.quiet) std::printf("%s: %s\n", a.texture.c_str(), result.c_str());
+    if (!a.json && !a.quiet) std::printf("%s\n", shown(a.texture + ": " + result).c_str());
     return agree;
 }
 
@@ -131,6 +138,7 @@ Verification verified(const Arguments& a) {
     if (a.report.empty()) return verify(a.spectral, a.texture, options);
     ReportOptions page;
     page.verify = options;
+    page.sync = a.sync;
     return writeReport(a.spectral, a.texture, a.report, page);
 }
 
@@ -145,6 +153,9 @@ ExitCode verifyCommand(const Arguments& a) {
     if (!isExr(a.spectral) && isExr(a.texture)) {
         throw ArgumentError("verify: the spectral image comes first, the texture after it");
     }
+    FileNames files;
+    for (const auto& input : {a.spectral, a.texture, a.reference}) files.addInput(input);
+    files.addOutput(a.report, "--report");
     const ThreadPool pool(a.options.threads);
     Json json;
     bool passed = true;
@@ -211,6 +222,9 @@ Command addVerify(CLI::App& program) {
     addThreads(*command, a->options.threads);
     command->add_flag("--json", a->json, "print the figures as JSON");
     command->add_flag("-q,--quiet", a->quiet, "print nothing: the exit code tells");
+    addLimits(*command);
+    addIsolation(*command);
+    addSync(*command, a->sync);
     return [a] { return verifyCommand(*a); };
 }
 

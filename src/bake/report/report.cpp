@@ -8,7 +8,6 @@
 #include <specbake/image/output_file.h>
 #include <specbake/image/spectral_reader.h>
 
-#include <fstream>
 #include <optional>
 #include <string_view>
 
@@ -43,15 +42,6 @@ std::string pageOf(const PageContent& content) {
     return page;
 }
 
-void writeText(const std::filesystem::path& path, const std::string& text) {
-    OutputFile file(path);
-    std::ofstream out(file.temporaryPath(), std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) throw FileError(path.string(), "cannot be written");
-    file.commit();
-}
-
 }  // namespace
 
 Verification writeReport(const std::string& spectral, const std::string& texture,
@@ -74,7 +64,7 @@ Verification writeReport(const std::string& spectral, const std::string& texture
     for (const auto& [name, value] : reader.facts().attributes) {
         content.facts.emplace_back(name, shortened(value));
     }
-    writeText(page, pageOf(content));
+    writeWhole(page, pageOf(content), options.sync);
     return verified;
 }
 

@@ -1,4 +1,5 @@
 #include "pipeline.h"
+#include "reading.h"
 
 #include <specbake/bake/compare_spectra.h>
 #include <specbake/core/error.h>
@@ -72,30 +73,29 @@ class SpectraComparison {
     }
 
     SpectralDifference run(int threads) {
-        const int count = (height() + kRows - 1) / kRows;
+        const int count = (height() + rowsTogether_ - 1) / rowsTogether_;
         rows_.resize(std::size_t(count));
-        runPipeline(
-            count, {[&](int i) { read(i); }, [&](int i) { compare(i); }, [&](int i) { gather(i); }},
-            threads, {});
+        runPipeline(count,
+                    {[&](int i) { read(i); }, [&](int i) { compare(i); }, [&](int i) { gather(i); },
+                     2 * std::size_t(rowsTogether_) * width() * bandCount() * sizeof(float)},
+                    threads, {});
         const double samples = double(total_.texels - total_.notFinite) * double(bandCount());
         if (samples > 0) total_.rms = std::sqrt(squares_ / samples);
         return total_;
     }
 
   private:
-    static constexpr int kRows = 16;
-
     std::size_t bandCount() const { return a_.wavelengths().size(); }
     std::size_t width() const { return std::size_t(a_.header().data.width); }
     int height() const { return a_.header().data.height; }
 
     void read(int i) {
         Rows& rows = rows_[std::size_t(i)];
-        const int count = std::min(kRows, height() - i * kRows);
+        const int count = std::min(rowsTogether_, height() - i * rowsTogether_);
         rows.a.resize(std::size_t(count) * width() * bandCount());
         rows.b.resize(rows.a.size());
-        a_.readRows(i * kRows, count, rows.a);
-        b_.readRows(i * kRows, count, rows.b);
+        a_.readRows(i * rowsTogether_, count, rows.a);
+        b_.readRows(i * rowsTogether_, count, rows.b);
     }
 
     void compare(int i) {
@@ -119,13 +119,14 @@ class SpectraComparison {
         if (rows.found.largest > total_.largest) {
             total_.largest = rows.found.largest;
             total_.worstX = rows.worstTexel % width();
-            total_.worstY = rows.worstTexel / width() + std::size_t(i) * kRows;
+            total_.worstY = rows.worstTexel / width() + std::size_t(i) * std::size_t(rowsTogether_);
             total_.worstBand = rows.found.worstBand;
         }
         rows_[std::size_t(i)] = {};
     }
 
     SpectralReader a_, b_;
+    int rowsTogether_ = rowsTogether(a_);
     std::vector<Rows> rows_;
     SpectralDifference total_;
     double squares_ = 0;

@@ -57,11 +57,12 @@ class Comparison {
     }
 
     Verification run(int threads) {
-        const int count = (height() + kRows - 1) / kRows;
+        const int count = (height() + rowsTogether_ - 1) / rowsTogether_;
         rows_.resize(std::size_t(count));
-        runPipeline(
-            count, {[&](int i) { read(i); }, [&](int i) { compare(i); }, [&](int i) { gather(i); }},
-            threads, {});
+        runPipeline(count,
+                    {[&](int i) { read(i); }, [&](int i) { compare(i); }, [&](int i) { gather(i); },
+                     2 * std::size_t(rowsTogether_) * width() * bandCount() * sizeof(float)},
+                    threads, {});
         if (const std::size_t compared = total_.texels - total_.notFinite) {
             total_.meanDE2000 /= double(compared);
             total_.p99DE2000 = largest_.ranked(descendingRankOfP99(compared));
@@ -70,8 +71,6 @@ class Comparison {
     }
 
   private:
-    static constexpr int kRows = 16;
-
     TexelComparison::BandWeights weightsOf(const std::string& path) const {
         const Observer& observer = model_.observer();
         return {readerWeights(path, spectral_, observer.illuminant(), observer.quadrature(),
@@ -82,7 +81,7 @@ class Comparison {
     std::size_t bandCount() const { return spectral_.wavelengths().size(); }
     std::size_t width() const { return std::size_t(texture_.info().data.width); }
     int height() const { return texture_.info().data.height; }
-    int rowCount(int i) const { return std::min(kRows, height() - i * kRows); }
+    int rowCount(int i) const { return std::min(rowsTogether_, height() - i * rowsTogether_); }
 
     void read(int i) {
         Rows& rows = rows_[std::size_t(i)];
@@ -90,9 +89,9 @@ class Comparison {
         rows.bands.resize(texels * bandCount());
         rows.alpha.resize(texels, 1.0F);
         rows.preview.resize(spectral_.hasPreview() ? texels * kPreviewSamples : 0);
-        spectral_.readRows(i * kRows, rowCount(i), rows.bands, rows.alpha, rows.preview);
+        spectral_.readRows(i * rowsTogether_, rowCount(i), rows.bands, rows.alpha, rows.preview);
         rows.texture.resize(std::size_t(rowCount(i)) * texture_.info().bytesPerRow());
-        texture_.readRows(i * kRows, rowCount(i), rows.texture);
+        texture_.readRows(i * rowsTogether_, rowCount(i), rows.texture);
     }
 
     void compare(int i) {
@@ -121,13 +120,14 @@ class Comparison {
     /// In order, so that the mean does not depend on the threads.
     void gather(int i) {
         const Rows& rows = rows_[std::size_t(i)];
-        if (observer_) observer_({i * kRows, rowCount(i), rows.bands, rows.texels}, model_);
+        if (observer_) observer_({i * rowsTogether_, rowCount(i), rows.bands, rows.texels}, model_);
         for (std::size_t t = 0; t < rows.texels.size(); ++t) {
             const TexelDifference& found = rows.texels[t];
             ++total_.texels;
             total_.outOfRange += found.outOfRange;
             total_.notFinite += found.finite ? 0 : 1;
-            if (found.finite) gatherTexel(found, std::size_t(i) * kRows * width() + t);
+            if (found.finite)
+                gatherTexel(found, std::size_t(i) * std::size_t(rowsTogether_) * width() + t);
         }
         for (const SampleDifference& found : rows.previews) {
             total_.previewBeyondRounding += found.beyondRounding ? 1 : 0;
@@ -154,6 +154,7 @@ class Comparison {
 
     const RowsObserver& observer_;
     SpectralReader spectral_;
+    int rowsTogether_ = rowsTogether(spectral_);
     TextureReader texture_;
     ColorMeaning meaning_;
     Upsampler model_;

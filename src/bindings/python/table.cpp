@@ -11,7 +11,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 namespace py = pybind11;
@@ -26,13 +25,8 @@ std::unique_ptr<TableFile> load(const std::filesystem::path& path) {
 
 void save(const TableFile& table, const std::filesystem::path& path) {
     const py::gil_scoped_release released;
-    OutputFile file(path);
-    std::ofstream stream(file.temporaryPath(), std::ios::binary);
-    stream.write(reinterpret_cast<const char*>(table.bytes().data()),
-                 std::streamsize(table.bytes().size()));
-    stream.close();
-    if (!stream) throw FileError(path.string(), "cannot be written whole");
-    file.commit();
+    const auto& bytes = table.bytes();
+    writeWhole(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 py::dict facts(const TableFile& table) {

@@ -13,7 +13,8 @@ class PreviewFile {
     PreviewFile& operator=(const PreviewFile&) = delete;
 
     virtual void writeRow(std::span<const float> rgba) = 0;
-    virtual void commit() = 0;
+    /// When all is written. Throws FileError.
+    virtual void close() = 0;
 };
 
 }  // namespace specbake::internal

@@ -6,8 +6,10 @@ namespace specbake {
 
 using namespace internal;
 
-PreviewWriter::PreviewWriter(const std::filesystem::path& path, const SpectralHeader& like)
-    : file_(openImageIOParts(path.string()).createPreview(path, like)) {}
+PreviewWriter::PreviewWriter(const std::filesystem::path& path, const SpectralHeader& like,
+                             bool sync)
+    : output_(path, sync),
+      file_(openImageIOParts(path.string()).createPreview(path, output_.temporaryPath(), like)) {}
 
 PreviewWriter::~PreviewWriter() = default;
 
@@ -16,7 +18,8 @@ void PreviewWriter::writeRow(std::span<const float> rgba) {
 }
 
 void PreviewWriter::commit() {
-    file_->commit();
+    file_->close();
+    output_.commit();
 }
 
 }  // namespace specbake

@@ -26,7 +26,7 @@ struct SpectralWriter::Implementation {
     Implementation(const std::filesystem::path& path, const SpectralHeader& header,
                    const StorageOptions& s)
         : storage(s),
-          file(path),
+          file(path, s.sync),
           context(file.temporaryPath(), path.string(), header, s),
           piz(context) {}
 

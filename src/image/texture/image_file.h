@@ -5,6 +5,7 @@
 #include <specbake/image/image_types.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -70,7 +71,14 @@ class ImageFile {
 std::unique_ptr<ImageFile> openImageFile(const std::string& path,
                                          const std::optional<std::string>& part = {});
 
-/// Throws FileError for sides of no or of more than kLargestSide pixels.
+/// Throws FileError for sides of no or of more than kLargestSide pixels, and for more pixels than
+/// the limits() allow.
 void checkSides(const std::string& path, long long width, long long height);
+
+/// Whether a window lies where OpenEXR takes none, and where sums of its numbers overflow.
+bool isFarOut(const Window& window);
+
+/// Throws FileError if the limits() do not allow so many bytes.
+void checkMemory(const std::string& path, std::uint64_t bytes);
 
 }  // namespace specbake::internal

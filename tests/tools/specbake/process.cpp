@@ -38,6 +38,18 @@ std::vector<std::string> Scratch::names() const {
 
 Process::Process(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), SPECBAKE_PROGRAM);
+    start(std::move(arguments));
+}
+
+Process::Process(const std::string& shell, std::vector<std::string> arguments,
+                 const std::string& redirections) {
+    const std::string commands = shell + (shell.empty() ? "" : "; ") + "exec \"$@\" ";
+    arguments.insert(arguments.begin(),
+                     {"/bin/sh", "-c", commands + redirections, "sh", SPECBAKE_PROGRAM});
+    start(std::move(arguments));
+}
+
+void Process::start(std::vector<std::string> arguments) {
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -47,9 +59,9 @@ Process::Process(std::vector<std::string> arguments) {
     posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&files, 1, output_.path("out").c_str(), create, 0600);
     posix_spawn_file_actions_addopen(&files, 2, output_.path("err").c_str(), create, 0600);
-    const int error = posix_spawn(&id_, SPECBAKE_PROGRAM, &files, nullptr, argv.data(), environ);
+    const int error = posix_spawn(&id_, argv.front(), &files, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&files);
-    if (error != 0) throw std::runtime_error(SPECBAKE_PROGRAM ": cannot be started");
+    if (error != 0) throw std::runtime_error(arguments.front() + ": cannot be started");
 }
 
 Process::~Process() {
@@ -80,6 +92,11 @@ Outcome Process::wait() {
 
 Outcome runTool(std::vector<std::string> arguments) {
     return Process(std::move(arguments)).wait();
+}
+
+Outcome runIn(const std::string& shell, std::vector<std::string> arguments,
+              const std::string& redirections) {
+    return Process(shell, std::move(arguments), redirections).wait();
 }
 
 std::string testImage(const std::string& name) {

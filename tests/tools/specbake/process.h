@@ -37,6 +37,10 @@ struct Outcome {
 class Process {
   public:
     explicit Process(std::vector<std::string> arguments);
+    /// Started by a shell behind these commands, such as "ulimit -f 8", and with these
+    /// redirections.
+    Process(const std::string& shell, std::vector<std::string> arguments,
+            const std::string& redirections = "");
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
@@ -47,6 +51,8 @@ class Process {
     Outcome wait();
 
   private:
+    void start(std::vector<std::string> arguments);
+
     Scratch output_;
     pid_t id_ = -1;
     int status_ = 0;
@@ -55,6 +61,9 @@ class Process {
 
 /// Runs `specbake` with these arguments to its end.
 Outcome runTool(std::vector<std::string> arguments);
+
+Outcome runIn(const std::string& shell, std::vector<std::string> arguments,
+              const std::string& redirections = "");
 
 /// A file of testimages/.
 std::string testImage(const std::string& name);

@@ -6,6 +6,8 @@
 #include "farm/records.h"
 #include "farm/shard.h"
 #include "farm/task.h"
+#include "guard/file_names.h"
+#include "guard/streams.h"
 #include "progress_bar.h"
 #include "stop_signals.h"
 #include "thread_pool.h"
@@ -27,8 +29,21 @@ void record(const Records& records, const BatchItem& item, const BatchResult& re
     try {
         records.note(item, result);
     } catch (const FileError& error) {
-        std::fprintf(stderr, "specbake: %s\n", error.what());
+        std::fprintf(stderr, "specbake: %s\n", shown(error.what()).c_str());
     }
+}
+
+/// Throws ArgumentError if anything is read and written, or written twice.
+void checkFiles(std::span<const BatchItem> items, const std::string& statsFile) {
+    FileNames files;
+    for (const BatchItem& item : items) {
+        if (!item.output.empty()) files.addInput(item.input.path);  // others are passed over
+    }
+    for (const BatchItem& item : items) {
+        files.addOutput(item.output, "-o");
+        files.addOutput(item.page, "--report");
+    }
+    files.addOutput(statsFile, "--stats");
 }
 
 }  // namespace
@@ -38,6 +53,7 @@ ExitCode batchCommand(const BatchArguments& a) {
     if (!a.pages.empty()) pages.emplace(a.pages, ".html", "--report");
     const OutputNames names(a.output);
     auto items = planBatch(a.inputs.all, names, pages);
+    checkFiles(items, a.report.statsFile);
     const Records records(recordsFolder(names.folder()));
     if (!a.shard.empty()) {
         const Shard shard = parseShard(a.shard);
@@ -48,14 +64,13 @@ ExitCode batchCommand(const BatchArguments& a) {
     }
     const bool recorded = records.kept();
     const ThreadPool pool(a.options.threads);
-    StopSignals signals;
     const auto start = std::chrono::steady_clock::now();
     std::vector<BatchResult> results;
     {
         ProgressBar bar(fmt::format("baking {} textures", items.size()), !a.report.quiet);
         BatchReport report(a.report, bar);
         BatchOptions options{a.options, a.update, {}, {}};
-        options.bake.stop = signals.token();
+        options.bake.stop = StopSignals::token();
         options.progress = [&](double done) { bar.show(done); };
         options.finished = [&](const auto& item, const auto& result) {
             report.tell(item, result);
@@ -65,7 +80,6 @@ ExitCode batchCommand(const BatchArguments& a) {
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         report.end(items, results, elapsed.count(), a.options.threads);
     }
-    signals.passOn();
     const bool failed = std::any_of(results.begin(), results.end(), [](const auto& result) {
         return result.outcome == Outcome::failed;
     });

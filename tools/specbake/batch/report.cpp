@@ -1,6 +1,7 @@
 #include "batch/report.h"
 
 #include "bake_report.h"
+#include "guard/streams.h"
 
 #include <specbake/core/error.h>
 #include <specbake/image/output_file.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 
 namespace specbake::tool {
 namespace {
@@ -40,9 +40,9 @@ std::string lineOf(const BatchItem& item, const BatchResult& result) {
             return choicesText(item.output, result.statistics) +
                    bakeLine(item.input.path, item.output, result.statistics);
         case Outcome::current:
-            return item.output + " is up to date";
+            return shown(item.output) + " is up to date";
         case Outcome::passed:
-            return item.input.path + ": passed over, a spectral image itself";
+            return shown(item.input.path) + ": passed over, a spectral image itself";
         case Outcome::failed:
         case Outcome::left:
             break;
@@ -73,22 +73,20 @@ std::string tableOf(std::span<const BatchItem> items, std::span<const BatchResul
                         row(count(Outcome::failed), "failed");
     for (std::size_t i = 0; i < items.size(); ++i) {
         if (results[i].outcome == Outcome::failed) {
-            table += fmt::format("{:>8}  {}: {}\n", "", items[i].input.path, results[i].reason);
+            const std::string what = items[i].input.path + ": " + results[i].reason;
+            table += fmt::format("{:>8}  {}\n", "", shown(what));
         }
     }
     return table;
 }
 
 void writeStats(const std::string& path, std::span<const BatchItem> items,
-                std::span<const BatchResult> results) {
-    OutputFile file(path);
-    std::ofstream out(file.temporaryPath());
+                std::span<const BatchResult> results, bool sync) {
+    std::string lines;
     for (std::size_t i = 0; i < items.size(); ++i) {
-        out << jsonText(batchJson(items[i], results[i]), -1) << '\n';
+        lines += jsonText(batchJson(items[i], results[i]), -1) + '\n';
     }
-    out.close();
-    if (!out) throw FileError(path, "cannot be written");
-    file.commit();
+    writeWhole(path, lines, sync);
 }
 
 }  // namespace
@@ -113,7 +111,8 @@ void BatchReport::tell(const BatchItem& item, const BatchResult& result) {
     bar_.clear();
     if (statsToStdout()) std::printf("%s\n", jsonText(batchJson(item, result), -1).c_str());
     if (result.outcome == Outcome::failed) {
-        std::fprintf(stderr, "specbake: %s: %s\n", item.input.path.c_str(), result.reason.c_str());
+        const std::string what = item.input.path + ": " + result.reason;
+        std::fprintf(stderr, "specbake: %s\n", shown(what).c_str());
     } else if (lines_) {
         std::printf("%s\n", lineOf(item, result).c_str());
     }
@@ -125,7 +124,7 @@ void BatchReport::end(std::span<const BatchItem> items, std::span<const BatchRes
                       double seconds, int threads) const {
     bar_.clear();
     if (!options_.statsFile.empty() && !statsToStdout()) {
-        writeStats(options_.statsFile, items, results);
+        writeStats(options_.statsFile, items, results, options_.sync);
     }
     if (options_.quiet) return;
     std::fputs(tableOf(items, results, seconds, threads).c_str(),

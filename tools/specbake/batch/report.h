@@ -22,6 +22,7 @@ class BatchReport {
         std::string outside;    ///< the rule for colours that no reflectance has
         bool verbose = false;
         bool quiet = false;  ///< failures alone
+        bool sync = false;   ///< the file outlives a power cut
     };
 
     BatchReport(Options options, ProgressBar& bar);

@@ -60,12 +60,7 @@ void Records::note(const BatchItem& item, const BatchResult& result) const {
         nlohmann::ordered_json json = failureJson(item.input.path, item.output, result.reason);
         json["host"] = hostName();
         makeFolder(file.parent_path());
-        OutputFile whole(file);
-        std::ofstream out(whole.temporaryPath());
-        out << jsonText(json, -1) << '\n';
-        out.close();
-        if (!out) throw FileError(file.string(), "cannot be written");
-        whole.commit();
+        writeWhole(file, jsonText(json, -1) + '\n');
     } else if (result.outcome == Outcome::baked || result.outcome == Outcome::current) {
         std::error_code ignored;
         fs::remove(file, ignored);

@@ -26,10 +26,10 @@ const std::vector<Group>& groups() {
           "--quadrature", "--wavelengths"}},
         {"What is written",
          {"--output", "--bits", "--max-de", "--data-type", "--compression", "--tile", "--mipmap",
-          "--wrap", "--attrib"}},
+          "--wrap", "--attrib", "--sync"}},
         {"How it is done",
-         {"--threads", "--shard", "--quick", "--stats", "--report", "--update", "--verbose",
-          "--quiet", "--help"}}};
+         {"--threads", "--max-pixels", "--max-memory", "--isolate", "--shard", "--quick", "--stats",
+          "--report", "--update", "--verbose", "--quiet", "--help"}}};
     return all;
 }
 

@@ -1,5 +1,7 @@
 #include "light/light_choices.h"
 
+#include "guard/file_names.h"
+
 #include <specbake/core/error.h>
 #include <specbake/core/observer.h>
 #include <specbake/image/light_file.h>
@@ -30,7 +32,10 @@ std::string lightWords(bool automatic) {
 
 std::string lightFrom(const std::string& word) {
     if (isIlluminant(word)) return word;
-    if (namesFile(word)) return readLight(word);
+    if (namesFile(word)) {
+        noteInput(word);
+        return readLight(word);
+    }
     std::vector<std::string> names = illuminantNames();
     std::ranges::copy(furtherIlluminantNames(), std::back_inserter(names));
     throw ArgumentError("no light and no file is called '" + word + "'" + suggestion(word, names));
@@ -58,6 +63,7 @@ CLI::Validator knownObserver() {
         if (!namesFile(word)) {
             throw ArgumentError("--observer: 2, 10 or a file with a table, not '" + word + "'");
         }
+        noteInput(word);
         word = readObserver(word);
         return std::string();
     };

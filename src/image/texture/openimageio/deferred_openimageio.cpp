@@ -24,6 +24,7 @@ const OpenImageIOParts* loadParts(const std::string& path) {
 
 const OpenImageIOParts& openImageIOParts(const std::string& path) {
     static const OpenImageIOParts* parts = loadParts(path);
+    parts->setLimits(limits());
     return *parts;
 }
 

@@ -1,6 +1,7 @@
 #include "texture/openimageio/openimageio_file.h"
 
 #include "texture/color/lab_and_inks.h"
+#include "texture/openimageio/bounds.h"
 #include "texture/openimageio/luminance_chroma.h"
 #include "texture/openimageio/metadata.h"
 #include "texture/openimageio/row_source.h"
@@ -154,6 +155,7 @@ class OpenImageIOFile : public ImageFile {
 
 std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path,
                                                const std::optional<std::string>& part) {
+    checkExrBounds(path);
     if (!part) {
         if (auto chroma = openLuminanceChroma(path)) return chroma;
     }
@@ -172,6 +174,7 @@ std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path,
 }
 
 StorageFacts storageFactsOf(const std::string& path) {
+    checkExrBounds(path);
     RowSource source(path, 0);
     const OIIO::ImageSpec& spec = source.spec();
     StorageFacts facts;

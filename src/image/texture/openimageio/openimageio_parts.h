@@ -3,6 +3,7 @@
 #include "spectral/preview_file.h"
 #include "texture/image_file.h"
 
+#include <specbake/image/limits.h>
 #include <specbake/image/spectral_reader.h>
 #include <specbake/image/texture.h>
 
@@ -17,10 +18,13 @@ struct OpenImageIOParts {
     /// openWithOpenImageIO().
     std::unique_ptr<ImageFile> (*openImage)(const std::string& path,
                                             const std::optional<std::string>& part);
+    /// setLimits(): a module has limits of its own.
+    void (*setLimits)(const Limits& limits);
     /// storageFactsOf().
     StorageFacts (*storageFacts)(const std::string& path);
     /// createWithOpenImageIO().
     std::unique_ptr<PreviewFile> (*createPreview)(const std::filesystem::path& path,
+                                                  const std::filesystem::path& file,
                                                   const SpectralHeader& like);
     /// meaningByConfig().
     std::optional<ColorMeaning> (*meaningByConfig)(const TextureInfo& texture,

@@ -77,6 +77,10 @@ void checkConsistency(const std::string& path, OIIO::ImageSpec& spec) {
     if (spec.deep) throw FileError(path, "deep images are not textures");
     if (spec.depth > 1) throw FileError(path, "volumes are not textures");
     checkSides(path, spec.width, spec.height);
+    if (isFarOut({spec.x, spec.y, spec.width, spec.height}) ||
+        isFarOut({spec.full_x, spec.full_y, spec.full_width, spec.full_height})) {
+        throw FileError(path, "a window too far from the origin");
+    }
     if (spec.nchannels < 1 || spec.nchannels > mostChannels) {
         throw FileError(path, std::to_string(spec.nchannels) + " channels; 1 to " +
                                   std::to_string(mostChannels) + " can be read");

@@ -1,5 +1,6 @@
 #include "texture/openimageio/row_source.h"
 
+#include "texture/openimageio/bounds.h"
 #include "texture/openimageio/one_line.h"
 #include "texture/openimageio/quirks.h"
 #include "texture/openimageio/subimages.h"
@@ -30,6 +31,7 @@ RowSource::RowSource(std::string path, int subimage, bool raw)
         }
     }
     checkConsistency(path_, spec_);
+    checkBounds(path_, input_->format_name(), spec_);
 }
 
 /// A reader that says another size now than when it was opened would write past our buffers.

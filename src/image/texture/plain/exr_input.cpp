@@ -21,6 +21,8 @@ ExrInput::ExrInput(std::string path) : path_(std::move(path)) {
     options.error_handler_fn = ignoreMessage;
     options.max_image_width = kLargestSide;
     options.max_image_height = kLargestSide;
+    options.max_tile_width = kLargestSide;
+    options.max_tile_height = kLargestSide;
     exr_context_t context = nullptr;
     if (exr_start_read(&context, path_.c_str(), &options) == EXR_ERR_SUCCESS) {
         context_.reset(context);

@@ -1,7 +1,10 @@
 #include "texture/plain/jpeg_decoder.h"
 
 #include <specbake/core/error.h>
+#include <specbake/image/limits.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string_view>
@@ -55,9 +58,10 @@ JpegDecoder::JpegDecoder(const std::string& path) : path_(path), stream_(openStr
 }
 
 void JpegDecoder::readHeader() {
-    constexpr long mostMemory = 1L << 32;  // a progressive file is unpacked as a whole
+    // A progressive file is unpacked as a whole.
+    const long mostMemory = long(std::min(limits().memory, std::uint64_t(1) << 32));
     constexpr unsigned longestMarker = 0xffff;
-    guarded([this] {
+    guarded([this, mostMemory] {
         jpeg_create_decompress(&jpeg_);
         jpeg_.mem->max_memory_to_use = mostMemory;
         jpeg_stdio_src(&jpeg_, stream_.get());

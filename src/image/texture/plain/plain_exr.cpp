@@ -110,6 +110,7 @@ std::unique_ptr<ImageFile> openPlainExr(const std::string& path) {
     if (!input.isOpen()) return {};
     std::optional<ExrDescription> description = describePlain(input);
     if (!description) return {};
+    checkSides(path, description->image.data.width, description->image.data.height);
     return std::make_unique<PlainExr>(path, std::move(input), std::move(*description));
 }
 

@@ -98,6 +98,10 @@ void PngDecoder::describe() {
               png_get_y_offset_pixels(png_.read, png_.info),
               int(png_get_image_width(png_.read, png_.info)),
               int(png_get_image_height(png_.read, png_.info))};
+    if (isFarOut(d.data)) {
+        d.data.x = d.data.y = 0;
+        d.notes.emplace_back("its offset is beyond what an EXR can say, and not used");
+    }
     d.display = {0, 0, d.data.width, d.data.height};
     const int channels = png_get_channels(png_.read, png_.info);
     d.channels =

@@ -109,6 +109,19 @@ TEST_CASE("the PNGs of testimages/ read the same") {
     }
 }
 
+TEST_CASE("an offset beyond what an EXR can say is told and not used") {
+    for (const std::uint32_t offset : {0x7fffffffU, 0x80000001U, 0x40000000U}) {
+        PngFile png;
+        png.packed = zlibStream(std::string(4, '\0'));
+        png.before = pngChunk("oFFs", bigEndian(offset, 4) + bigEndian(offset, 4) + '\0');
+        const TemporaryFile file(png.contents());
+        const auto image = openPlainPng(file.path());
+        REQUIRE(image);
+        CHECK(image->description().data == Window{0, 0, 1, 1});
+        CHECK(image->description().notes.size() == 1);
+    }
+}
+
 TEST_CASE("any rows behind any filters in any chunks read the same") {
     Random random(1);
     for (int i = 0; i < 300; ++i) {

@@ -1,6 +1,9 @@
 #include "process.h"
 #include "read_back.h"
 
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
 #include <OpenImageIO/texture.h>
 #include <doctest/doctest.h>
 
@@ -35,6 +38,13 @@ float lookedUp(const std::string& path, float s, float t) {
     float value = -1;
     REQUIRE(system->texture(OIIO::ustring(path), options, s, t, 0, 0, 0, 0, 1, &value));
     return value;
+}
+
+/// By OpenEXR: OpenImageIO hides marks of files that its own programs have not written. "": none.
+std::string headerText(const std::string& path, const char* name) {
+    const Imf::InputFile file(path.c_str());
+    const auto* found = file.header().findTypedAttribute<Imf::StringAttribute>(name);
+    return found == nullptr ? "" : found->value();
 }
 
 }  // namespace
@@ -82,7 +92,8 @@ TEST_CASE("oiio:SHA-1 of tiled files tells bakes apart that have other pixels, a
     const Scratch scratch;
     const auto hash = [&](Names options) {
         options.insert(options.begin(), {"--tile", "16", "16"});
-        return bakedWith(scratch, options).get_string_attribute("oiio:SHA-1");
+        bakedWith(scratch, options);
+        return headerText(scratch.path("o.exr"), "oiio:SHA-1");
     };
     const std::string first = hash({});
     CHECK(first.size() == 40);
@@ -93,7 +104,8 @@ TEST_CASE("oiio:SHA-1 of tiled files tells bakes apart that have other pixels, a
                                  Names{"--observer", "10"}, Names{"--mipmap"}}) {
         CHECK(hash(options) != first);
     }
-    CHECK(bakedWith(scratch, {}).find_attribute("oiio:SHA-1") == nullptr);
+    bakedWith(scratch, {});
+    CHECK(headerText(scratch.path("o.exr"), "oiio:SHA-1").empty());
 }
 
 TEST_CASE("OpenImageIO's texture system knows the average colour of a file with mip levels") {

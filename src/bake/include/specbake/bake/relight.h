@@ -23,6 +23,7 @@ struct RelightOptions {
     /// How the viewer's eye has adapted to the light: white looks white; none: it shows its tint.
     Adaptation adapt = Adaptation::bradford;
     double exposure = 0;                   ///< stops
+    bool sync = false;                     ///< the picture outlives a power cut (output_file.h)
     int threads = 0;                       ///< 0: all cores
     std::stop_token stop;                  ///< when stopped, relight() throws Cancelled
     std::function<void(double)> progress;  ///< called with 0 to 1, from one thread at a time

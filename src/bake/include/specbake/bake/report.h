@@ -18,6 +18,7 @@ struct ReportOptions {
     int side = 192;
     /// Lines to be shown above the attributes of the file: a name and a value.
     std::vector<std::pair<std::string, std::string>> facts;
+    bool sync = false;  ///< the page outlives a power cut (output_file.h)
 
     static constexpr int kLargestSide = 1024;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <specbake/core/api.h>
+#include <specbake/image/output_file.h>
 #include <specbake/image/spectral_layout.h>
 
 #include <filesystem>
@@ -19,8 +20,9 @@ class PreviewFile;
 class SPECBAKE_API PreviewWriter {
   public:
     /// Windows and alpha are those of `like`; a format without them has neither.
+    /// `sync`: as an OutputFile has it.
     /// Throws FileError if there is no such format or the file cannot be created.
-    PreviewWriter(const std::filesystem::path& path, const SpectralHeader& like);
+    PreviewWriter(const std::filesystem::path& path, const SpectralHeader& like, bool sync = false);
     ~PreviewWriter();
     PreviewWriter(const PreviewWriter&) = delete;
     PreviewWriter& operator=(const PreviewWriter&) = delete;
@@ -33,6 +35,7 @@ class SPECBAKE_API PreviewWriter {
     void commit();
 
   private:
+    OutputFile output_;
     std::unique_ptr<internal::PreviewFile> file_;
 };
 

@@ -47,6 +47,7 @@ struct StorageOptions {
     /// None: scan lines, or with `mipmap` tiles of the usual size.
     std::optional<TileSize> tile = std::nullopt;
     bool mipmap = false;  ///< all levels down to one texel, not the first alone
+    bool sync = false;    ///< the file outlives a power cut (output_file.h)
 
     bool isTiled() const { return tile.has_value() || mipmap; }
 

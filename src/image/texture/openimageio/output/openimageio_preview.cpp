@@ -1,10 +1,10 @@
-#include "texture/openimageio/openimageio_preview.h"
+#include "texture/openimageio/output/openimageio_preview.h"
 
 #include "texture/openimageio/one_line.h"
+#include "texture/openimageio/output/checked_output.h"
 
 #include <specbake/core/color_space.h>
 #include <specbake/core/error.h>
-#include <specbake/image/output_file.h>
 
 #include <OpenImageIO/imageio.h>
 
@@ -53,9 +53,13 @@ std::uint8_t byteOf(double share) {
 
 class OpenImageIOPreview : public PreviewFile {
   public:
-    OpenImageIOPreview(const std::filesystem::path& path, const SpectralHeader& like)
-        : output_(formatOf(path)), spec_(specOf(*output_, like)), file_(path) {
-        if (!output_->open(file_.temporaryPath().string(), spec_)) fail();
+    OpenImageIOPreview(const std::filesystem::path& path, const std::filesystem::path& file,
+                       const SpectralHeader& like)
+        : path_(path.string()),
+          file_(file),
+          output_(formatOf(path)),
+          spec_(specOf(*output_, like)) {
+        if (!file_.open(*output_, spec_)) fail();
     }
 
     void writeRow(std::span<const float> rgba) override {
@@ -70,14 +74,18 @@ class OpenImageIOPreview : public PreviewFile {
         if (!written) fail();
     }
 
-    void commit() override {
-        if (!output_->close()) fail();
-        file_.commit();
+    void close() override {
+        const bool closed = output_->close();
+        if (!file_.close() || !closed) fail();
     }
 
   private:
+    /// What the system says is true; not all formats look at it.
     [[noreturn]] void fail() {
-        throw FileError(file_.path().string(), oneLine(output_->geterror()));
+        std::string reason = file_.error();
+        const std::string said = output_->geterror();
+        if (reason.empty()) reason = said.empty() ? "it cannot be written whole" : oneLine(said);
+        throw FileError(path_, reason);
     }
 
     /// Linear, multiplied by alpha, as EXR wants it.
@@ -102,17 +110,19 @@ class OpenImageIOPreview : public PreviewFile {
         return row;
     }
 
+    std::string path_;
+    CheckedOutput file_;
     std::unique_ptr<OIIO::ImageOutput> output_;
     OIIO::ImageSpec spec_;
-    OutputFile file_;
     int rowsWritten_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<PreviewFile> createWithOpenImageIO(const std::filesystem::path& path,
+                                                   const std::filesystem::path& file,
                                                    const SpectralHeader& like) {
-    return std::make_unique<OpenImageIOPreview>(path, like);
+    return std::make_unique<OpenImageIOPreview>(path, file, like);
 }
 
 }  // namespace specbake::internal

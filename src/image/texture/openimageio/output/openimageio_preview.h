@@ -9,8 +9,10 @@
 
 namespace specbake::internal {
 
-/// A PreviewWriter's file, in any format that OpenImageIO writes.
+/// A PreviewWriter's file, in the format of the name `path`, written into `file`, which is there
+/// and empty.
 std::unique_ptr<PreviewFile> createWithOpenImageIO(const std::filesystem::path& path,
+                                                   const std::filesystem::path& file,
                                                    const SpectralHeader& like);
 
 }  // namespace specbake::internal

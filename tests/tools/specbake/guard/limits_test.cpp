@@ -1,0 +1,107 @@
+#include "process.h"
+#include "read_back.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+
+using namespace specbake::testing;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+void checkRefused(const Outcome& outcome, const std::string& says) {
+    CAPTURE(says);
+    CAPTURE(outcome.err);
+    CHECK(outcome.exitCode == 1);
+    CHECK(outcome.signal == 0);
+    CHECK(linesOf(outcome.err).size() == 1);
+    CHECK(outcome.err.find(says) != std::string::npos);
+}
+
+std::string little(std::uint64_t value, int bytes) {
+    std::string text;
+    for (int i = 0; i < bytes; ++i) text += char(value >> (8 * i));
+    return text;
+}
+
+/// A TGA's header alone: 24 bits a pixel (Truevision TGA 2.0, table 3).
+std::string targaOfSize(int width, int height) {
+    return std::string("\0\0\2\0\0\0\0\0", 8) + little(0, 4) + little(std::uint64_t(width), 2) +
+           little(std::uint64_t(height), 2) + std::string("\x18\0", 2) + std::string(2000, '\0');
+}
+
+/// Half R, G, B of one wide row.
+std::string wideImage(const Scratch& scratch, int width) {
+    const std::string path = scratch.path("wide.png");
+    const OIIO::ImageSpec spec(width, 1, 3, OIIO::TypeUInt8);
+    writeImage(path, spec, std::vector<float>(std::size_t(width) * 3, 0.5F));
+    return path;
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("limits");
+
+TEST_CASE("--max-pixels holds for every reader, to the pixel") {
+    const Scratch scratch;
+    const std::string output = scratch.path("o.exr");
+    for (const std::string& image : testImages()) {
+        CAPTURE(image);
+        if (image == "1x1.png") continue;
+        checkRefused(runTool({"bake", testImage(image), "-o", output, "-q", "--max-pixels", "1"}),
+                     "more than the limit of 1 (--max-pixels)");
+    }
+    const std::string image = testImage("17x33.png");
+    CHECK(runTool({"bake", image, "-o", output, "--max-pixels", "561"}).exitCode == 0);
+    checkRefused(runTool({"bake", image, "-o", output, "--max-pixels", "560"}), "561 pixels");
+    checkRefused(runTool({"inspect", output, "--max-pixels", "560"}), "561 pixels");
+    checkRefused(runTool({"verify", output, image, "--max-pixels", "560"}), "561 pixels");
+    checkRefused(runTool({"relight", output, "-o", scratch.path("o.png"), "--max-pixels", "560"}),
+                 "561 pixels");
+}
+
+TEST_CASE("--max-memory refuses what cannot be done with less") {
+    const Scratch scratch;
+    const std::string output = scratch.path("o.exr");
+    const std::string image = wideImage(scratch, 20000);
+    checkRefused(runTool({"bake", image, "-o", output, "--max-memory", "5M"}), "--compression");
+    CHECK(runTool({"bake", image, "-o", output, "--max-memory", "100M"}).exitCode == 0);
+    const std::string whole = contentsOf(output);
+    CHECK(runTool({"bake", image, "-o", output, "--max-memory", "12M", "-j", "64"}).exitCode == 0);
+    CHECK(contentsOf(output) == whole);
+    checkRefused(runTool({"bake", testImage("rgb8.tif"), "-o", output, "--max-memory", "100"}),
+                 "--max-memory");
+}
+
+TEST_CASE("a header's word alone costs nothing") {
+    const Scratch scratch;
+    writeFile(scratch.path("claims.tga"), targaOfSize(65535, 65535));
+    checkRefused(runTool({"bake", scratch.path("claims.tga"), "-o", scratch.path("o.exr")}),
+                 "its header claims 12.9 GB, which a file of 2.02 kB cannot hold");
+}
+
+TEST_CASE("more threads than there is room for are not begun") {
+    const Scratch scratch;
+    const Names bake = {"bake", testImage("17x33.png"), "-o", scratch.path("o.exr"), "-j", "1024"};
+    CHECK(runTool(bake).exitCode == 0);
+#if !defined(__SANITIZE_ADDRESS__)
+    const std::string whole = contentsOf(scratch.path("o.exr"));
+    CHECK(runIn("ulimit -v 1500000", bake).exitCode == 0);
+    CHECK(contentsOf(scratch.path("o.exr")) == whole);
+    const Outcome little = runIn("ulimit -v 120000", bake);
+    CHECK(little.signal == 0);
+    CHECK(little.exitCode != 134);
+#endif
+}
+
+TEST_CASE("what is no amount is refused") {
+    for (const char* amount : {"", "0", "0.9", "-1", "nan", "1e30", "12Q", "1 G", "G"}) {
+        CAPTURE(amount);
+        CHECK(runTool({"inspect", "absent.exr", "--max-memory", amount}).exitCode == 2);
+    }
+    CHECK(runTool({"inspect", "absent.exr", "--max-memory", "1.5k"}).exitCode == 1);
+}
+
+TEST_SUITE_END();
