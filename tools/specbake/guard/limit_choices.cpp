@@ -20,8 +20,8 @@ namespace {
 std::optional<std::uint64_t> amount(std::string_view text) {
     constexpr std::string_view units = "kMGT";
     double factor = 1;
-    const auto unit = text.empty() ? units.npos : units.find(text.back());
-    if (unit != units.npos) {
+    const auto unit = text.empty() ? std::string_view::npos : units.find(text.back());
+    if (unit != std::string_view::npos) {
         for (std::size_t i = 0; i <= unit; ++i) factor *= 1000;
         text.remove_suffix(1);
     }

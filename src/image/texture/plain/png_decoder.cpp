@@ -18,7 +18,7 @@ namespace {
 
 /// What says how the numbers are meant. Read as they are stored: libpng would judge them, and drop
 /// what it does not like.
-constexpr std::string_view kColorChunks("cICP\0iCCP\0sRGB\0gAMA\0cHRM", 25);
+constexpr std::string_view kColorChunks("cICP\0iCCP\0sRGB\0gAMA\0cHRM\0", 25);
 constexpr int kColorChunkCount = 5;
 
 std::string_view nameOf(const png_unknown_chunk& chunk) {
