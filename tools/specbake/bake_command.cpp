@@ -59,19 +59,21 @@ void report(const BakeStatistics& s, const Arguments& a, const std::string& inpu
 }
 
 /// What is read beside textures.
-void addSideInputs(const Arguments& a, FileNames& files) {
+void noteSideInputs(const Arguments& a) {
+    for (const std::string& word : a.inputs) {
+        if (word.starts_with('@')) noteInput(word.substr(1));
+    }
     const auto sign = a.bake.second.find('=');
     if (sign != std::string::npos) {  // its light may be a file
-        files.addInput(a.bake.second.substr(0, sign));
-        files.addInput(a.bake.second.substr(sign + 1));
+        noteInput(a.bake.second.substr(0, sign));
+        noteInput(a.bake.second.substr(sign + 1));
     }
-    for (const auto& input : {a.bake.materialMap, a.bake.model.samples}) files.addInput(input);
+    for (const auto& input : {a.bake.materialMap, a.bake.model.samples}) noteInput(input);
 }
 
 void checkOutput(const Arguments& a, const std::string& texture) {
     FileNames files;
     files.addInput(texture);
-    addSideInputs(a, files);
     files.addOutput(a.output, "-o");
     files.addOutput(a.statsFile, "--stats");
     files.addOutput(a.reportFile, "--report");
@@ -113,15 +115,12 @@ bool namesByInput(const std::string& output) {
 
 ExitCode bakeCommand(const Arguments& a) {
     Inputs inputs = expandInputs(a.inputs);
-    for (const std::string& word : a.inputs) {
-        if (word.starts_with('@')) noteInput(word.substr(1));
-    }
+    noteSideInputs(a);
     const bool toFile = !namesByInput(a.output) && a.shard.empty();
     if (inputs.single && toFile) return bakeOne(a, inputs.all.front().path);
     if (!a.bake.second.empty()) throw ArgumentError("--second is of one texture, not of several");
     std::vector<std::string> notes;
     const BakeOptions options = a.bake.options(notes);
-    for (const std::string& input : {a.bake.materialMap, a.bake.model.samples}) noteInput(input);
     for (const std::string& note : notes) {
         if (!a.quiet) std::fprintf(stderr, "specbake: %s\n", note.c_str());
     }

@@ -18,18 +18,11 @@
 #include <map>
 #include <new>
 #include <string>
-#include <vector>
 
 using namespace specbake;
 using namespace specbake::tool;
 
 namespace {
-
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text + " (--help tells more)";
-}
 
 ExitCode run(int argc, char** argv) {
     CLI::App program("specbake: XYZ and RGB textures to spectral textures", "specbake");
@@ -53,7 +46,10 @@ ExitCode run(int argc, char** argv) {
                                                      {"completion", addCompletion(program)},
                                                      {"manual", addManual(program)}};
     addHelpTexts(program);
-    if (argc == 1) throw ArgumentError("a command is wanted: " + listed(commandNames(program)));
+    if (argc == 1) {
+        throw ArgumentError("a command is wanted: " + joined(commandNames(program), ", ") +
+                            " (--help tells more)");
+    }
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

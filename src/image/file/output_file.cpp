@@ -100,6 +100,10 @@ void OutputFile::commit() {
     if (sync_) syncFolder(path_.parent_path());
 }
 
+bool OutputFile::isTemporary(const fs::path& path) {
+    return TemporaryFile::isTemporary(path);
+}
+
 void OutputFile::abandonAll() noexcept {
     TemporaryFile::abandonAll();
 }

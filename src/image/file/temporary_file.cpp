@@ -12,11 +12,15 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 namespace specbake::internal {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::string_view kStart = ".specbake-";
+constexpr std::string_view kEnd = ".tmp";
 
 /// The files that are to be removed if the process ends before its time.
 struct Registry {
@@ -45,7 +49,7 @@ std::string prefix() {
     std::replace_if(
         name.begin(), name.end(), [&](char c) { return !isPlain(static_cast<unsigned char>(c)); },
         '_');
-    return ".specbake-" + name + "-";
+    return std::string(kStart) + name + "-";
 }
 
 bool lock(int descriptor, int flags) {
@@ -77,7 +81,7 @@ void removeDeadFiles(const fs::path& folder) {
     for (fs::directory_iterator file(folder, error), end; !error && file != end;
          file.increment(error)) {
         const std::string name = file->path().filename().string();
-        if (name.starts_with(ours) && name.ends_with(".tmp")) removeIfDead(file->path());
+        if (name.starts_with(ours) && name.ends_with(kEnd)) removeIfDead(file->path());
     }
 }
 
@@ -90,7 +94,7 @@ TemporaryFile::TemporaryFile(const fs::path& folder, mode_t mode) {
     const std::lock_guard guard(all.mutex);
     const std::string start = prefix() + std::to_string(getpid()) + '-';
     do {  // another container may have our number
-        path_ = place / (start + std::to_string(all.counter++) + ".tmp");
+        path_ = place / (start + std::to_string(all.counter++) + std::string(kEnd));
     } while (!create(mode));
     all.files.insert(path_);
 }
@@ -119,6 +123,11 @@ void TemporaryFile::rename(const fs::path& path) {
     const std::lock_guard guard(all.mutex);
     if (::rename(path_.c_str(), path.c_str()) != 0) fail();
     all.files.erase(path_);
+}
+
+bool TemporaryFile::isTemporary(const fs::path& path) {
+    const std::string name = path.filename().string();
+    return name.starts_with(kStart) && name.ends_with(kEnd);
 }
 
 void TemporaryFile::abandonAll() noexcept {

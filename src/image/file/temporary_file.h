@@ -24,6 +24,9 @@ class TemporaryFile {
     /// Throws std::system_error.
     void rename(const std::filesystem::path& path);
 
+    /// Of whatever host and process.
+    static bool isTemporary(const std::filesystem::path& path);
+
     /// Removes all that there are. Who makes one after that, or renames one, waits for ever.
     static void abandonAll() noexcept;
 

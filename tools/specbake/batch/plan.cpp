@@ -1,5 +1,7 @@
 #include "batch/plan.h"
 
+#include "guard/file_names.h"
+
 #include <specbake/core/error.h>
 #include <specbake/image/exr_text.h>
 
@@ -13,19 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The same for every name of a file, whether it is there yet or not.
-fs::path identified(const std::string& name) {
-    std::error_code ignored;
-    const fs::path path = fs::weakly_canonical(name, ignored);
-    return path.empty() ? fs::absolute(name).lexically_normal() : path;
-}
-
 bool isPassedOver(const Input& input) {
     return input.found && exrText(input.path, "spectralLayoutVersion").has_value();
 }
 
-/// Which files are read and which are written.
-class FileNames {
+/// Which textures are read, and which of them becomes which file.
+class BatchNames {
   public:
     void addTexture(const std::string& name) { textures_.insert(identified(name)); }
 
@@ -59,7 +54,7 @@ void checkSpectralName(const std::string& output) {
 
 std::vector<BatchItem> planBatch(std::vector<Input> inputs, const OutputNames& names,
                                  const std::optional<OutputNames>& pages) {
-    FileNames files;
+    BatchNames files;
     std::vector<BatchItem> items;
     for (Input& input : inputs) {
         BatchItem item{std::move(input), {}, {}};

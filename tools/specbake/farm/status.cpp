@@ -4,6 +4,7 @@
 #include "batch/side_by_side.h"
 
 #include <specbake/bake/model_cache.h>
+#include <specbake/image/output_file.h>
 
 #include <algorithm>
 #include <exception>
@@ -28,12 +29,6 @@ ItemStatus statusOf(const BatchItem& item, const BakeOptions& options, SourceChe
     } catch (const std::exception& error) {
         return {Standing::failed, reasonOf(error, item.input.path)};
     }
-}
-
-/// As OutputFile names them.
-bool isTemporary(const fs::path& path) {
-    const std::string name = path.filename().string();
-    return name.starts_with('.') && name.ends_with(".tmp");
 }
 
 }  // namespace
@@ -76,7 +71,7 @@ std::vector<fs::path> leftovers(std::span<const BatchItem> items) {
         std::error_code error;
         fs::directory_iterator file(folder.empty() ? "." : folder, error);
         for (; !error && file != fs::directory_iterator(); file.increment(error)) {
-            if (isTemporary(file->path())) found.push_back(file->path());
+            if (OutputFile::isTemporary(file->path())) found.push_back(file->path());
         }
     }
     std::sort(found.begin(), found.end());

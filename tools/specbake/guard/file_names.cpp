@@ -17,13 +17,6 @@ std::vector<std::string>& noted() {
     return names;
 }
 
-/// The same for every name of a file, whether it is there yet or not.
-fs::path identified(const std::string& name) {
-    std::error_code ignored;
-    const fs::path path = fs::weakly_canonical(name, ignored);
-    return path.empty() ? fs::absolute(name).lexically_normal() : path;
-}
-
 std::optional<std::pair<dev_t, ino_t>> nodeOf(const std::string& name) {
     struct stat status {};
     if (stat(name.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
@@ -34,6 +27,12 @@ std::optional<std::pair<dev_t, ino_t>> nodeOf(const std::string& name) {
 
 void noteInput(const std::string& name) {
     noted().push_back(name);
+}
+
+fs::path identified(const std::string& name) {
+    std::error_code ignored;
+    const fs::path path = fs::weakly_canonical(name, ignored);
+    return path.empty() ? fs::absolute(name).lexically_normal() : path;
 }
 
 FileNames::FileNames() {

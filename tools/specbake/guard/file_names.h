@@ -14,6 +14,9 @@ namespace specbake::tool {
 /// them all.
 void noteInput(const std::string& name);
 
+/// The same for every name of a file, whether it is there yet or not.
+std::filesystem::path identified(const std::string& name);
+
 /// The files of one command: what is written is neither an input, by whatever names, links or hard
 /// links, nor another output.
 class FileNames {

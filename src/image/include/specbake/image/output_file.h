@@ -33,6 +33,9 @@ class SPECBAKE_API OutputFile {
     /// Replaces `path()` by what was written. Throws FileError.
     void commit();
 
+    /// Whether a name is that of a temporary file, of whatever host and process.
+    static bool isTemporary(const std::filesystem::path& path);
+
     /// For a process that is about to end by a signal: removes the temporary files of all that
     /// there are. Whoever makes or commits one after that waits until the process has ended.
     static void abandonAll() noexcept;
