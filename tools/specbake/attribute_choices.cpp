@@ -1,5 +1,7 @@
 #include "attribute_choices.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <specbake/image/image_types.h>
+#include "cli_declared.h"
 
-#include <CLI/CLI.hpp>
+#include <specbake/image/image_types.h>
 
 #include <string>
 

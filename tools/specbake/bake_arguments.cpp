@@ -5,6 +5,8 @@
 
 #include <specbake/core/error.h>
 
+#include <CLI/CLI.hpp>
+
 namespace specbake::tool {
 namespace {
 

@@ -8,6 +8,8 @@
 #include <specbake/core/observer.h>
 #include <specbake/image/measured_file.h>
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -1,13 +1,12 @@
 #pragma once
 
+#include "cli_declared.h"
 #include "light/light_choices.h"
 
 #include <specbake/core/upsampler.h>
 #include <specbake/image/color_meaning.h>
 #include <specbake/image/spectral_layout.h>
 #include <specbake/image/texture_reader.h>
-
-#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string>

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <functional>
+#include "cli_declared.h"
 
-namespace CLI {
-class App;
-}
+#include <functional>
 
 namespace specbake::tool {
 

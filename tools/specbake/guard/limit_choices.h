@@ -1,8 +1,6 @@
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "cli_declared.h"
 
 /// Options by which a command does more than usual that nothing is lost, or takes less than there
 /// is.

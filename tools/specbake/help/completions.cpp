@@ -4,6 +4,7 @@
 
 #include <specbake/core/error.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace specbake::tool {

@@ -1,11 +1,9 @@
 #pragma once
 
+#include "cli_declared.h"
+
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace specbake::tool {
 

@@ -5,6 +5,7 @@
 
 #include <specbake/version.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

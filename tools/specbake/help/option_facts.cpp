@@ -1,5 +1,7 @@
 #include "help/option_facts.h"
 
+#include <CLI/CLI.hpp>
+
 #include <sstream>
 
 namespace specbake::tool {

@@ -1,12 +1,10 @@
 #pragma once
 
+#include "cli_declared.h"
+
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace specbake::tool {
 

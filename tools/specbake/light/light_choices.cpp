@@ -7,6 +7,8 @@
 #include <specbake/image/light_file.h>
 #include <specbake/image/observer_file.h>
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -68,6 +70,26 @@ CLI::Validator knownObserver() {
         return std::string();
     };
     return {toObserver, ""};
+}
+
+namespace {
+
+template <class Text>
+void addObserverOption(CLI::App& command, Text& observer, const std::string& description) {
+    command.add_option("--observer", observer, description)
+        ->transform(knownObserver())
+        ->type_name("2|10|FILE");
+}
+
+}  // namespace
+
+void addObserver(CLI::App& command, std::string& observer, const std::string& description) {
+    addObserverOption(command, observer, description);
+}
+
+void addObserver(CLI::App& command, std::optional<std::string>& observer,
+                 const std::string& description) {
+    addObserverOption(command, observer, description);
 }
 
 std::string byWhom(std::string_view observer) {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli_declared.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,12 +27,9 @@ CLI::Option* addLight(CLI::App& command, std::string& light, const std::string& 
 CLI::Validator knownObserver();
 
 /// `--observer`: 2, 10 or a file.
-template <class Text>
-void addObserver(CLI::App& command, Text& observer, const std::string& description) {
-    command.add_option("--observer", observer, description)
-        ->transform(knownObserver())
-        ->type_name("2|10|FILE");
-}
+void addObserver(CLI::App& command, std::string& observer, const std::string& description);
+void addObserver(CLI::App& command, std::optional<std::string>& observer,
+                 const std::string& description);
 
 /// ", CIE 1964 10 degree" of a label; empty for the usual observer.
 std::string byWhom(std::string_view observer);
