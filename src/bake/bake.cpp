@@ -185,9 +185,15 @@ BakeStatistics bakeToFile(Texture& texture, const std::optional<std::string>& so
         Job job(texture, options);
         SpectralHeader header = job.header();
         if (source) addIdentity(header.attributes, job.identity(*source), options);
-        SpectralWriter writer(output, header, options.storage);
+        const StorageOptions storage = withBoundedChunks(options.storage, header);
+        SpectralWriter writer(output, header, storage);
         BakeStatistics statistics = job.run(writer);
         writer.commit();
+        if (storage.compression != options.storage.compression) {
+            statistics.notes.emplace_back(
+                "its rows are so wide that 16 of them, a chunk of zip, would take hundreds of "
+                "megabytes of every reader: zips is written, a chunk a row");
+        }
         return statistics;
     });
 }

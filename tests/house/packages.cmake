@@ -5,9 +5,10 @@ function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# Unoptimised: what is looked at is how it fits together.
-set(common -G Ninja -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS=-O0
-    -D CMAKE_CXX_COMPILER=${COMPILER})
+# Unoptimised, for the oldest processor alone: what is looked at is how it fits together.
+set(common -G Ninja -D CMAKE_BUILD_TYPE=Debug
+    "-DCMAKE_CXX_FLAGS_DEBUG=-O0 -DHWY_COMPILE_ONLY_STATIC"
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D SPECBAKE_PRECOMPILE_HEADERS=ON)
 set(hidden OpenImageIO OpenEXR JPEG PNG TIFF TBB PkgConfig)
 list(TRANSFORM hidden PREPEND "-DCMAKE_DISABLE_FIND_PACKAGE_")
 list(TRANSFORM hidden APPEND "=ON")

@@ -47,6 +47,19 @@ std::string_view compressionName(Compression compression) {
     return "none";
 }
 
+StorageOptions withBoundedChunks(const StorageOptions& storage, const SpectralHeader& header) {
+    StorageOptions bounded = storage;
+    if (storage.compression != Compression::zip || storage.isTiled()) return bounded;
+    constexpr std::size_t most = std::size_t(1) << 26;  // bytes
+    const std::size_t rowBytes = std::size_t(header.data.width) *
+                                 channelNames(header.alpha, header.bands).size() *
+                                 bytesPerSample(storage.sampleType);
+    if (rowBytes > most / std::size_t(rowsPerChunk(storage.compression))) {
+        bounded.compression = Compression::zips;
+    }
+    return bounded;
+}
+
 std::vector<std::string> channelNames(bool alpha, const Wavelengths& bands) {
     std::vector<std::string> names = {"B", "G", "R"};
     if (alpha) names.insert(names.begin(), "A");

@@ -250,3 +250,25 @@ TEST_CASE("rows longer than deflate's window are packed and read back") {
         CHECK(differencesByOpenEXR(file, window) == 0);
     }
 }
+
+TEST_CASE("a chunk of scan lines takes 64 MiB at most, unless one row is longer") {
+    for (const SampleType type : {SampleType::half, SampleType::float32}) {
+        for (int width = 1; width <= 1 << 20; width = width * 3 / 2 + 1) {
+            CAPTURE(width);
+            SpectralHeader header;
+            header.data = {0, 0, width, 16};
+            header.alpha = width % 2 == 0;
+            StorageOptions storage;
+            storage.sampleType = type;
+            const Compression used = withBoundedChunks(storage, header).compression;
+            const std::size_t row = std::size_t(width) * (header.alpha ? 85 : 84) *
+                                    (type == SampleType::half ? 2 : 4);
+            CHECK((used == Compression::zip) == (16 * row <= 64 << 20));
+            CHECK((used == Compression::zip || used == Compression::zips));
+            for (const Compression other : {Compression::none, Compression::piz}) {
+                storage.compression = other;
+                CHECK(withBoundedChunks(storage, header).compression == other);
+            }
+        }
+    }
+}

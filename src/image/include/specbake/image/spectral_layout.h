@@ -76,4 +76,9 @@ struct SpectralHeader {
     Wavelengths bands = {};  ///< that are written; a reader has its own list
 };
 
+/// `storage`, with Compression::zips for `zip` where a chunk of its 16 rows would take more than
+/// 64 MiB of the writer and of every reader: from about 25,000 texels of halves on.
+SPECBAKE_API StorageOptions withBoundedChunks(const StorageOptions& storage,
+                                              const SpectralHeader& header);
+
 }  // namespace specbake
