@@ -15,20 +15,28 @@ function(install_library name)
           DESTINATION ${destination})
 endfunction()
 
-# install_pkg_config(NAME DESCRIPTION REQUIRES PRIVATE LIBS): `private` and `libs` are what a
-# static library leaves to the program that links it.
-function(install_pkg_config name description requires private libs)
-  if(BUILD_SHARED_LIBS)
-    set(private "")
-    set(libs "")
+# install_pkg_config(NAME DESCRIPTION REQUIRES PRIVATE [LIBRARY...]): what a static library leaves to
+# the program that links it, whether it asks for --static or not: packages, and libraries that need
+# each other.
+function(install_pkg_config name description requires private)
+  set(libs -lspecbake_${name})
+  if(NOT BUILD_SHARED_LIBS)
+    string(APPEND requires " ${private}")
+    if(ARGN)
+      list(JOIN ARGN " " others)
+      set(libs "-Wl,--start-group ${libs} ${others} -Wl,--end-group")
+    endif()
   endif()
+  # From the file's own folder, so that the package may be moved.
+  file(RELATIVE_PATH prefix /root/${CMAKE_INSTALL_LIBDIR}/pkgconfig /root)
+  string(REGEX REPLACE "/$" "" prefix "${prefix}")
   configure_file(cmake/specbake.pc.in specbake-${name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/specbake-${name}.pc
           DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 
 install_library(core)
-install_pkg_config(core "Colours to reflectance spectra" "Imath" "libhwy" "")
+install_pkg_config(core "Colours to reflectance spectra" "Imath" "libhwy")
 set(components core)
 # Linked where it was found (src/image/CMakeLists.txt).
 set(color_config_module "")
@@ -45,8 +53,8 @@ if(NOT SPECBAKE_CORE_ONLY)
   install_library(bake)
   install_pkg_config(image "Textures and spectral images" "specbake-core"
     "OpenImageIO OpenEXR libhwy libjpeg libpng libtiff-4 lcms2 libdeflate ${color_config_module}"
-    "-lspecbake_openimageio -lspecbake_image")
-  install_pkg_config(bake "Textures to spectral images" "specbake-image" "tbb" "")
+    -lspecbake_openimageio)
+  install_pkg_config(bake "Textures to spectral images" "specbake-image" "tbb")
 endif()
 if(TARGET specbake)
   install(TARGETS specbake RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -22,6 +22,7 @@ file(REMOVE_RECURSE ${WORK})
 
 # Shared libraries, without the programs.
 build(${PROJECT} ${WORK}/shared -D BUILD_SHARED_LIBS=ON -D SPECBAKE_BUILD_TOOLS=OFF
+      -D CMAKE_INSTALL_LIBDIR=lib/multiarch  # two folders deep, as Debian's
       -D SPECBAKE_BUILD_BENCH=OFF -D SPECBAKE_BUILD_TESTS=OFF -D SPECBAKE_BUILD_PYTHON=OFF
       -D SPECBAKE_BUILD_OPENIMAGEIO_PLUGIN=OFF)
 run(${CMAKE_COMMAND} --install ${WORK}/shared --prefix ${WORK}/prefix)
