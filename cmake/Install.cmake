@@ -15,9 +15,9 @@ function(install_library name)
           DESTINATION ${destination})
 endfunction()
 
-# install_pkg_config(NAME DESCRIPTION REQUIRES PRIVATE [LIBRARY...]): what a static library leaves to
-# the program that links it, whether it asks for --static or not: packages, and libraries that need
-# each other.
+# install_pkg_config(NAME DESCRIPTION REQUIRES PRIVATE [LIBRARY...]): the last are what a static
+# library leaves to the program that links it, whether it asks for --static or not: packages, and
+# libraries that need each other.
 function(install_pkg_config name description requires private)
   set(libs -lspecbake_${name})
   if(NOT BUILD_SHARED_LIBS)

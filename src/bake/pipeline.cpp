@@ -37,8 +37,8 @@ void runPipeline(int count, const Stages& stages, int threads, const std::stop_t
         return band;
     };
     const std::size_t room = limits().memory / std::max<std::size_t>(stages.bandBytes, 1);
-    // One to be read or written beside those of the workers, of whom no more work at once than there
-    // are processors: more bands would take memory alone.
+    // One to be read or written beside those of the workers, of whom no more work at once than
+    // there are processors: more bands would take memory alone.
     const auto busy = std::size_t(std::min(workers, tbb::info::default_concurrency()));
     const std::size_t inFlight = std::clamp<std::size_t>(room, 1, busy + 1);
     tbb::task_arena(workers).execute([&] {

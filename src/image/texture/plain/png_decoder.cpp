@@ -7,9 +7,11 @@
 
 #include <strings.h>
 
+#include <array>
 #include <bit>
 #include <csetjmp>
 #include <cstdio>
+#include <cstring>
 #include <span>
 #include <string_view>
 
@@ -31,6 +33,24 @@ bool sameWord(const char* a, const char* b) {
 
 float perInch(png_uint_32 perMetre) {
     return float(perMetre) * (2.54F / 100.0F);
+}
+
+/// libpng (1.6.39) allocates some chunks by the length that they claim. What else is wrong, it says
+/// itself. The file stands at its beginning, and does so again.
+void checkChunks(const std::string& path, std::FILE* file) {
+    std::fseek(file, 0, SEEK_END);
+    const long size = std::ftell(file);
+    std::array<png_byte, 8> head{};  // the signature; length and name of a chunk
+    constexpr long checksum = 4;
+    for (long at = long(head.size()); std::fseek(file, at, SEEK_SET) == 0;) {
+        if (std::fread(head.data(), head.size(), 1, file) != 1) break;
+        if (std::memcmp(&head[4], "IDAT", 4) == 0) break;  // comes in pieces
+        const png_uint_32 claimed = png_get_uint_32(head.data());
+        at += long(head.size());
+        if (long(claimed) > size - at) throw FileError(path, "PNG: a chunk longer than the file");
+        at += long(claimed) + checksum;
+    }
+    std::rewind(file);
 }
 
 }  // namespace
@@ -71,6 +91,7 @@ PngDecoder::PngDecoder(const std::string& path) : path_(path), stream_(openStrea
 }
 
 void PngDecoder::readHeader() {
+    checkChunks(path_, stream_.get());
     guarded([this] {
         png_init_io(png_.read, stream_.get());
         png_set_user_limits(png_.read, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // checkSides() has ours

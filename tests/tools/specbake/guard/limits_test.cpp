@@ -80,6 +80,12 @@ TEST_CASE("a header's word alone costs nothing") {
     writeFile(scratch.path("claims.tga"), targaOfSize(65535, 65535));
     checkRefused(runTool({"bake", scratch.path("claims.tga"), "-o", scratch.path("o.exr")}),
                  "its header claims 12.9 GB, which a file of 2.02 kB cannot hold");
+
+    std::string exr = contentsOf(testImage("tiled_offset.exr"));
+    exr.insert(8, std::string("a\0opaque\0\xff\xff\xff\x7f", 13));
+    writeFile(scratch.path("claims.exr"), exr);
+    checkRefused(runTool({"bake", scratch.path("claims.exr"), "-o", scratch.path("o.exr")}),
+                 "damaged: an attribute claims 2.15 GB, which the file does not have");
 }
 
 TEST_CASE("more threads than there is room for are not begun") {
