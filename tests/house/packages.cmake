@@ -20,9 +20,11 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 
-# Shared libraries, without the programs.
+# Shared libraries, without the programs; where there are such folders, two deep as Debian's.
+execute_process(COMMAND ${COMPILER} -print-multiarch OUTPUT_VARIABLE multiarch ERROR_QUIET
+                OUTPUT_STRIP_TRAILING_WHITESPACE)
 build(${PROJECT} ${WORK}/shared -D BUILD_SHARED_LIBS=ON -D SPECBAKE_BUILD_TOOLS=OFF
-      -D CMAKE_INSTALL_LIBDIR=lib/multiarch  # two folders deep, as Debian's
+      -D CMAKE_INSTALL_LIBDIR=lib/${multiarch}
       -D SPECBAKE_BUILD_BENCH=OFF -D SPECBAKE_BUILD_TESTS=OFF -D SPECBAKE_BUILD_PYTHON=OFF
       -D SPECBAKE_BUILD_OPENIMAGEIO_PLUGIN=OFF)
 run(${CMAKE_COMMAND} --install ${WORK}/shared --prefix ${WORK}/prefix)

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 
@@ -92,7 +93,8 @@ std::vector<XYZ> colorsAtGauge(const Solid& solid, double gauge, std::size_t cou
 }
 
 std::vector<ColorSet> solidSets(const Frame& frame, const Solid& solid, std::size_t count) {
-    std::vector<ColorSet> sets{uniformInSolid(solid, count)};
+    constexpr std::size_t shares = 20'000;  // of which a share is known to 0.4 %
+    std::vector<ColorSet> sets{uniformInSolid(solid, std::max(count, shares))};
     for (const double gauge : {0.9, 0.99, 0.999, 0.9999, 1.0}) {
         sets.push_back(
             {.name = fmt::format("gauge {}", gauge), .colors = colorsAtGauge(solid, gauge, count)});

@@ -29,7 +29,7 @@ std::vector<ColorSet> rgbSets(const Frame& frame, std::size_t count);
 
 /// Sets that only the object-colour solid (of the frame's observer) defines, likewise.
 ///
-/// - "solid": uniform in XYZ, by rejection from the box about the solid
+/// - "solid": uniform in XYZ, by rejection from the box about the solid; at least 20,000
 /// - "gauge R": at that gauge (solid.h), on rays towards seeded directions
 /// - "Rec.2020 cube", "ACEScg cube": uniform in the cube with these primaries and the frame's
 ///   white, of those colours that the solid holds
