@@ -66,48 +66,51 @@ bool isFused() {
     return (hwy::SupportedTargets() & ~unfused) != 0;
 }
 
-}  // namespace
-
-TEST_CASE("samples are the same to the last bit with any threads and fused instruction set") {
-    const std::vector<float> values = texels();
+/// Calls `test` with each of two methods, through the grid and without.
+template <class Test>
+void onEachModel(const Test& test) {
     for (const char* method : {"natural", "smooth"}) {
         for (const bool grid : {true, false}) {
             CAPTURE(method);
             CAPTURE(grid);
-            std::vector<float> first;
-            onEachTarget([&] {
-                if (!isFused()) return;
-                for (const int threads : {1, 2, 3, 8, 64}) {
-                    CAPTURE(threads);
-                    const std::vector<float> samples =
-                        baked(values, optionsOf(method, grid, threads));
-                    if (first.empty()) first = samples;
-                    CHECK(samples == first);
-                }
-            });
+            test(method, grid);
         }
     }
 }
 
+}  // namespace
+
+TEST_CASE("samples are the same to the last bit with any threads and fused instruction set") {
+    const std::vector<float> values = texels();
+    onEachModel([&](const char* method, bool grid) {
+        std::vector<float> first;
+        onEachTarget([&] {
+            if (!isFused()) return;
+            for (const int threads : {1, 2, 3, 8, 64}) {
+                CAPTURE(threads);
+                const std::vector<float> samples = baked(values, optionsOf(method, grid, threads));
+                if (first.empty()) first = samples;
+                CHECK(samples == first);
+            }
+        });
+    });
+}
+
 TEST_CASE("without fused multiply-adds samples are as near as float tells") {
     const std::vector<float> values = texels();
-    for (const char* method : {"natural", "smooth"}) {
-        for (const bool grid : {true, false}) {
-            CAPTURE(method);
-            CAPTURE(grid);
-            const std::vector<float> here = baked(values, optionsOf(method, grid, 1));
-            onEachTarget([&] {
-                if (isFused()) return;
-                const std::vector<float> samples = baked(values, optionsOf(method, grid, 1));
-                CHECK(samples == baked(values, optionsOf(method, grid, 8)));
-                float largest = 0;
-                for (std::size_t i = 0; i < here.size(); ++i) {
-                    largest = std::max(largest, std::abs(samples[i] - here[i]));
-                }
-                // A sample is three products and sums of values up to 1: where they are not fused,
-                // three roundings more, of half a unit in the last place each.
-                CHECK(largest <= 3 * std::ldexp(1.0F, -24));
-            });
-        }
-    }
+    onEachModel([&](const char* method, bool grid) {
+        const std::vector<float> here = baked(values, optionsOf(method, grid, 1));
+        onEachTarget([&] {
+            if (isFused()) return;
+            const std::vector<float> samples = baked(values, optionsOf(method, grid, 1));
+            CHECK(samples == baked(values, optionsOf(method, grid, 8)));
+            float largest = 0;
+            for (std::size_t i = 0; i < here.size(); ++i) {
+                largest = std::max(largest, std::abs(samples[i] - here[i]));
+            }
+            // A sample is three products and sums of values up to 1: where they are not fused,
+            // three roundings more, of half a unit in the last place each.
+            CHECK(largest <= 3 * std::ldexp(1.0F, -24));
+        });
+    });
 }

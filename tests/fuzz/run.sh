@@ -10,7 +10,8 @@ total=$2
 shift 2
 targets=("$@")
 if [ ${#targets[@]} = 0 ]; then
-    targets=(measured names plain profile roundtrip spectral table texture wire)
+    targets=("$build"/fuzz_*)  # those that were built
+    targets=("${targets[@]##*/fuzz_}")
 fi
 corpus=$build/corpus
 findings=$build/findings

@@ -261,8 +261,8 @@ TEST_CASE("a chunk of scan lines takes 64 MiB at most, unless one row is longer"
             StorageOptions storage;
             storage.sampleType = type;
             const Compression used = withBoundedChunks(storage, header).compression;
-            const std::size_t row = std::size_t(width) * (header.alpha ? 85 : 84) *
-                                    (type == SampleType::half ? 2 : 4);
+            const std::size_t row =
+                std::size_t(width) * (header.alpha ? 85 : 84) * (type == SampleType::half ? 2 : 4);
             CHECK((used == Compression::zip) == (16 * row <= 64 << 20));
             CHECK((used == Compression::zip || used == Compression::zips));
             for (const Compression other : {Compression::none, Compression::piz}) {

@@ -23,6 +23,13 @@ bool namesFile(const std::string& light) {
            std::filesystem::exists(light, ignored);
 }
 
+template <class Text>
+void addObserverOption(CLI::App& command, Text& observer, const std::string& description) {
+    command.add_option("--observer", observer, description)
+        ->transform(knownObserver())
+        ->type_name("2|10|FILE");
+}
+
 }  // namespace
 
 /// Those that are offered; of the further ones the series.
@@ -71,17 +78,6 @@ CLI::Validator knownObserver() {
     };
     return {toObserver, ""};
 }
-
-namespace {
-
-template <class Text>
-void addObserverOption(CLI::App& command, Text& observer, const std::string& description) {
-    command.add_option("--observer", observer, description)
-        ->transform(knownObserver())
-        ->type_name("2|10|FILE");
-}
-
-}  // namespace
 
 void addObserver(CLI::App& command, std::string& observer, const std::string& description) {
     addObserverOption(command, observer, description);

@@ -3,6 +3,7 @@
 #include "file/input_stream.h"
 #include "texture/isolate/reader_process.h"
 #include "texture/isolate/wire.h"
+#include "texture/plain/exr_input.h"
 
 #include <specbake/core/error.h>
 #include <specbake/image/isolation.h>
@@ -53,7 +54,7 @@ bool isHammered(const std::string& path) {
     using namespace std::string_literals;
     static const std::array signatures = {"\x89PNG\r\n\x1a\n"s,
                                           "\xff\xd8\xff"s,
-                                          "\x76\x2f\x31\x01"s,
+                                          std::string(kExrSignature),
                                           "II*\0"s,
                                           "MM\0*"s,
                                           "II+\0"s,

@@ -1,5 +1,6 @@
 #include "texture/openimageio/bounds.h"
 
+#include "file/input_stream.h"
 #include "texture/image_file.h"
 #include "texture/plain/exr_input.h"
 
@@ -65,25 +66,22 @@ void checkAttributes(const std::string& path) {
     std::error_code error;
     const std::uint64_t size = std::filesystem::file_size(path, error);
     std::ifstream file(path, std::ios::binary);
-    std::array<char, 8> start{};
+    std::array<char, 8> start{};  // the signature, the version and its flags
     if (error || !file.read(start.data(), start.size())) return;
-    constexpr std::string_view magic("\x76\x2f\x31\x01");
-    constexpr unsigned severalParts = 0x10;  // of the second byte of the version's flags
-    if (std::string_view(start.data(), magic.size()) != magic) return;
-    bool more = true;
-    while (more && file) {
-        more = false;
-        for (std::string name = shortText(file); file && !name.empty(); name = shortText(file)) {
-            shortText(file);  // its type
-            std::uint32_t claimed = 0;
-            if (!file.read(reinterpret_cast<char*>(&claimed), sizeof claimed)) return;
-            if (claimed > size - std::uint64_t(file.tellg())) {
-                throw FileError(path, "damaged: an attribute claims " + bytesText(claimed) +
-                                          ", which the file does not have");
-            }
-            file.seekg(std::streamoff(claimed), std::ios::cur);
-            more = (unsigned(start[5]) & severalParts) != 0;
+    const bool severalParts = (unsigned(start[5]) & 0x10U) != 0;
+    std::string name = shortText(file);
+    while (file && !name.empty()) {
+        shortText(file);  // its type
+        std::uint32_t claimed = 0;
+        if (!file.read(reinterpret_cast<char*>(&claimed), sizeof claimed)) return;
+        if (claimed > size - std::uint64_t(file.tellg())) {
+            throw FileError(path, "damaged: an attribute claims " + bytesText(claimed) +
+                                      ", which the file does not have");
         }
+        file.seekg(std::streamoff(claimed), std::ios::cur);
+        name = shortText(file);
+        // A part's header ends with an empty name, the last one with two.
+        if (name.empty() && severalParts) name = shortText(file);
     }
 }
 
@@ -102,6 +100,7 @@ void checkBounds(const std::string& path, const std::string& format, const OIIO:
 void checkExrBounds(const std::string& path) {
     // What a chunk of one value comes to: a few dozen bytes for the 32 rows of PIZ.
     constexpr std::uint64_t mostUnpacked = std::uint64_t(1) << 16;
+    if (!beginsWith(path, kExrSignature)) return;
     checkAttributes(path);
     const ExrInput exr(path);
     int parts = 0;

@@ -2,6 +2,7 @@
 
 #include "file/input_stream.h"
 #include "texture/openimageio/one_line.h"
+#include "texture/plain/exr_input.h"
 
 #include <specbake/core/error.h>
 
@@ -109,7 +110,7 @@ std::unique_ptr<Imf::RgbaInputFile> open(const std::string& path) {
 }  // namespace
 
 std::unique_ptr<ImageFile> openLuminanceChroma(const std::string& path) {
-    if (!beginsWith(path, "\x76\x2f\x31\x01")) return {};
+    if (!beginsWith(path, kExrSignature)) return {};
     auto file = open(path);
     if (!file || (file->channels() & Imf::WRITE_C) == 0) return {};
     return std::make_unique<LuminanceChroma>(path, std::move(file));

@@ -10,13 +10,10 @@ namespace {
 
 void ignoreMessage(exr_const_context_t /*context*/, exr_result_t /*code*/, const char* /*text*/) {}
 
-/// The first four bytes (OpenEXR file layout): 20000630 in little-endian order.
-constexpr const char* kSignature = "\x76\x2f\x31\x01";
-
 }  // namespace
 
 ExrInput::ExrInput(std::string path) : path_(std::move(path)) {
-    if (!beginsWith(path_, kSignature)) return;
+    if (!beginsWith(path_, kExrSignature)) return;
     exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
     options.error_handler_fn = ignoreMessage;
     options.max_image_width = kLargestSide;

@@ -7,6 +7,9 @@
 
 namespace specbake::internal {
 
+/// The first four bytes of an EXR (OpenEXR file layout): 20000630 in little-endian order.
+inline constexpr const char* kExrSignature = "\x76\x2f\x31\x01";
+
 /// An OpenEXRCore file being read.
 class ExrInput {
   public:
