@@ -24,6 +24,7 @@ seed() { # TARGET
     case $1 in
         plain | texture) find "$images" \( -name '*.png' -o -name '*.jpg' -o -name '*.exr' \) \
             -size -8k -exec cp -n {} "$corpus/$1" \; ;;
+        profile) find -L /usr/share/color/icc -name '*.icc' -size -16k -exec cp -n {} "$corpus/$1" \; ;;
         spectral) find "$images" -name '*.exr' -size -8k -exec cp -n {} "$corpus/$1" \; ;;
     esac
 }

@@ -2,6 +2,7 @@
 
 #include "file/input_stream.h"
 #include "texture/image_file.h"
+#include "texture/openimageio/exr_attributes.h"
 #include "texture/plain/exr_input.h"
 
 #include <specbake/core/error.h>
@@ -11,7 +12,6 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -53,38 +53,6 @@ std::uint64_t unpackedSize(const ExrInput& exr, int part) {
     return size * ((across + width - 1) / std::max(width, 1U));
 }
 
-/// A text that ends in 0, of 255 bytes at most; none where there is no such text.
-std::string shortText(std::ifstream& file) {
-    std::array<char, 256> text{};
-    file.getline(text.data(), text.size(), '\0');
-    return text.data();
-}
-
-/// OpenEXR's C++ reader (3.1.5) allocates an attribute that it does not know by the size that the
-/// header claims. What else is wrong, the readers say.
-void checkAttributes(const std::string& path) {
-    std::error_code error;
-    const std::uint64_t size = std::filesystem::file_size(path, error);
-    std::ifstream file(path, std::ios::binary);
-    std::array<char, 8> start{};  // the signature, the version and its flags
-    if (error || !file.read(start.data(), start.size())) return;
-    const bool severalParts = (unsigned(start[5]) & 0x10U) != 0;
-    std::string name = shortText(file);
-    while (file && !name.empty()) {
-        shortText(file);  // its type
-        std::uint32_t claimed = 0;
-        if (!file.read(reinterpret_cast<char*>(&claimed), sizeof claimed)) return;
-        if (claimed > size - std::uint64_t(file.tellg())) {
-            throw FileError(path, "damaged: an attribute claims " + bytesText(claimed) +
-                                      ", which the file does not have");
-        }
-        file.seekg(std::streamoff(claimed), std::ios::cur);
-        name = shortText(file);
-        // A part's header ends with an empty name, the last one with two.
-        if (name.empty() && severalParts) name = shortText(file);
-    }
-}
-
 }  // namespace
 
 void checkBounds(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec) {
@@ -101,7 +69,7 @@ void checkExrBounds(const std::string& path) {
     // What a chunk of one value comes to: a few dozen bytes for the 32 rows of PIZ.
     constexpr std::uint64_t mostUnpacked = std::uint64_t(1) << 16;
     if (!beginsWith(path, kExrSignature)) return;
-    checkAttributes(path);
+    checkExrAttributes(path);
     const ExrInput exr(path);
     int parts = 0;
     if (!exr.isOpen() || exr_get_count(exr.get(), &parts) != EXR_ERR_SUCCESS) return;

@@ -40,6 +40,14 @@ std::string wideImage(const Scratch& scratch, int width) {
     return path;
 }
 
+/// Of an EXR whose header begins with the attribute, as it is in the file.
+Outcome bakeWithAttribute(const Scratch& scratch, const std::string& attribute) {
+    std::string exr = contentsOf(testImage("tiled_offset.exr"));
+    exr.insert(8, attribute);
+    writeFile(scratch.path("with.exr"), exr);
+    return runTool({"bake", scratch.path("with.exr"), "-o", scratch.path("o.exr"), "-q"});
+}
+
 }  // namespace
 
 TEST_SUITE_BEGIN("limits");
@@ -81,11 +89,35 @@ TEST_CASE("a header's word alone costs nothing") {
     checkRefused(runTool({"bake", scratch.path("claims.tga"), "-o", scratch.path("o.exr")}),
                  "its header claims 12.9 GB, which a file of 2.02 kB cannot hold");
 
-    std::string exr = contentsOf(testImage("tiled_offset.exr"));
-    exr.insert(8, std::string("a\0opaque\0\xff\xff\xff\x7f", 13));
-    writeFile(scratch.path("claims.exr"), exr);
-    checkRefused(runTool({"bake", scratch.path("claims.exr"), "-o", scratch.path("o.exr")}),
+    checkRefused(bakeWithAttribute(scratch, std::string("a\0opaque\0\xff\xff\xff\x7f", 13)),
                  "damaged: an attribute claims 2.15 GB, which the file does not have");
+}
+
+TEST_CASE("an EXR's attributes take what their types say") {
+    using namespace std::string_literals;
+    const Scratch scratch;
+    // Whoever goes by the type, as OpenEXR's C++ reader does, finds one more attribute within.
+    const std::string within = "b\0opaque\0\xff\xff\xff\x7f"s;
+    const std::string seventeen = "\x11\0\0\0"s;
+    const std::string noText = "\0\0\0\0"s;
+    const std::string widthAndHeight = "\x02\0\0\0\x01\0\0\0"s;
+    for (const std::string& attribute : {
+             "a\0int\0"s + seventeen + noText + within,
+             "a\0chlist\0\x0e\0\0\0\0"s + within,
+             "a\0preview\0\x15\0\0\0"s + widthAndHeight + within,
+             "a\0stringvector\0\x04\0\0\0\xff\xff\xff\x7f"s,
+         }) {
+        CAPTURE(attribute);
+        checkRefused(bakeWithAttribute(scratch, attribute), "which its type contradicts");
+    }
+    for (const std::string& attribute : {
+             "a\0int\0\x04\0\0\0"s + noText,
+             "a\0preview\0\x10\0\0\0"s + widthAndHeight + "rgbargba"s,
+             "a\0stringvector\0\x0d\0\0\0\x01\0\0\0x\x04\0\0\0text"s,
+         }) {
+        CAPTURE(attribute);  // the chunks are no longer where the file says: that is refused
+        CHECK(bakeWithAttribute(scratch, attribute).err.find("attribute") == std::string::npos);
+    }
 }
 
 TEST_CASE("more threads than there is room for are not begun") {
