@@ -13,9 +13,12 @@ it is 1.
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
+
+import numpy
 
 SKIPPED = 77
 # Rec.709 to AP0, adapted by Bradford from D65 to the ACES white; the digits do not matter here.
@@ -173,6 +176,62 @@ def check_update(room):
     room.check(done.returncode == 1 and "changed" in done.stderr, "verified by another table")
 
 
+def check_numbers(room):
+    """Colours that are typed, and tables: of the same spaces."""
+    words = ("--colorconfig", room.config, "--space")
+    typed = (0.8, 0.3, 0.1)
+    room.write("lin_ap1", 2.1)  # so that colours go to acescg
+    for space in ("Encoded", "Painted", "Graded", "Working"):
+        converted = room.work / "typed.exr"
+        done = room.run("oiiotool", "--create", "1x1", 3, "-d", "float", "--fill:color=" +
+                        ",".join(map(str, typed)), "1x1", "--colorconfig", room.config,
+                        "--colorconvert", space, "Working", "-o", converted)
+        room.check(done.returncode == 0, f"oiiotool: {done.stderr}")
+        done = room.run("oiiotool", "--info", "--dumpdata", converted)
+        linear = re.search(r"\): +([-0-9.e]+) ([-0-9.e]+) ([-0-9.e]+)", done.stdout).groups()
+        ours = room.tool("solve", "--json", "--rgb", *typed, *words, space)
+        theirs = room.tool("solve", "--json", "--rgb", *linear, "--space", "acescg")
+        room.check(ours.returncode == theirs.returncode == 0, f"solve: {ours.stderr}")
+        # Nine digits of single precision are printed; XYZ of ACES are up to 1.1 of RGB.
+        asked = [json.loads(done.stdout)["asked_xyz"] for done in (ours, theirs)]
+        room.check(max(abs(a - b) for a, b in zip(*asked)) < 1e-6, f"solve in {space}: {asked}")
+    room.write("WORKING_ALIAS", 2.1)
+
+
+def chromaticities(matrix):
+    """Of the primaries and the white, from a matrix to AP0 (SMPTE ST 2065-1 has its primaries)."""
+    def tristimulus(x, y):
+        return numpy.array([x / y, 1, (1 - x - y) / y])
+    white = tristimulus(0.32168, 0.33767)
+    ap0 = numpy.array([tristimulus(0.7347, 0.2653), tristimulus(0, 1), tristimulus(0.0001, -0.077)])
+    ap0 = ap0 * numpy.linalg.solve(ap0.T, white)[:, None]
+    colors = numpy.array(matrix).T @ ap0
+    for color in (*colors, colors.sum(axis=0)):
+        yield from color[:2] / color.sum()
+
+
+def check_tables(room):
+    def table(name, *words):
+        output = room.work / name
+        done = room.tool("table", "--grid", 2, "-o", output, *words)
+        room.check(done.returncode == 0, f"table {words}: {done.stderr}")
+        return output.read_bytes()
+
+    config = ("--colorconfig", room.config)
+    room.check(table("w.spectab", *config, "--space", "scene_linear") ==
+               table("a.spectab", "--space", "acescg"), "a table of the role scene_linear")
+    room.check(table("s.spectab", *config) == table("t.spectab"), "without --space it is sRGB")
+    text = table("e.spectab", *config, "--space", "Encoded").decode("latin-1")
+    said = re.search(r"identity=.*custom \(([-0-9.,]+)\)", text).group(1)
+    ours = [float(number) for number in said.split(",")]
+    numbers = [float(n) for n in TO_AP0.split(",")]
+    expected = list(chromaticities([numbers[0:3], numbers[4:7], numbers[8:11]]))
+    # Six decimals, of what single precision leaves of them.
+    room.check(max(abs(a - b) for a, b in zip(ours, expected)) < 3e-6, f"{ours} for {expected}")
+    done = room.tool("table", "-o", room.work / "g.spectab", *config, "--space", "Graded")
+    room.check(done.returncode == 2 and "linear RGB" in done.stderr, f"a look: {done.stderr}")
+
+
 def check_refusals(room):
     texture, output = room.images / "rgb8.png", room.work / "refused.exr"
     for words, reason in ((("--space", "Numbers"), "data"), (("--space", "Paintd"), "Painted"),
@@ -199,7 +258,8 @@ def main():
     if "built without" in without.stderr:
         print("not run: built without OpenColorIO")
         return skipped
-    for check in (check_spaces, check_rules, check_update, check_refusals):
+    for check in (check_spaces, check_rules, check_numbers, check_tables, check_update,
+                  check_refusals):
         check(room)
     print(json.dumps({"failures": room.failures}))
     return 1 if room.failures else 0

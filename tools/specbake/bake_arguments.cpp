@@ -75,7 +75,7 @@ void addInputsAndOutput(CLI::App& command, std::vector<std::string>& inputs, std
 void addBakeOptions(CLI::App& command, BakeArguments& a) {
     addReadOptions(command, a.read, "else the colours of the file");
     addColorOptions(command, a.color, "what the file says");
-    addConfigOption(command, a.color);
+    addConfigOption(command, a.color, kFileRules);
     addModelOptions(command, a.model, "the space's white, E for xyz");
     addOutsideOption(command, a.model);
     command

@@ -125,11 +125,11 @@ void addColorOptions(CLI::App& command, ColorArguments& arguments, const std::st
         ->check(wishCheck(&ColorWishes::transfer));
 }
 
-void addConfigOption(CLI::App& command, ColorArguments& arguments) {
+void addConfigOption(CLI::App& command, ColorArguments& arguments, const std::string& automatic) {
     command
-        .add_option("--colorconfig", arguments.config,
-                    "a configuration of OpenColorIO: --space then takes its spaces and roles, and "
-                    "auto asks its file rules, all but the default one, before what the file says")
+        .add_option(
+            "--colorconfig", arguments.config,
+            "a configuration of OpenColorIO: --space then takes its spaces and roles" + automatic)
         ->envname("OCIO")
         ->type_name("FILE.ocio");
 }

@@ -32,8 +32,13 @@ void addSpaceOptions(CLI::App& command, ColorArguments& arguments, const std::st
 /// The same, and `--transfer`.
 void addColorOptions(CLI::App& command, ColorArguments& arguments, const std::string& automatic);
 
-/// `--colorconfig`, or $OCIO
-void addConfigOption(CLI::App& command, ColorArguments& arguments);
+/// Of a texture: its path has a part in it.
+inline constexpr const char* kFileRules =
+    ", and auto asks its file rules, all but the default one, before what the file says";
+
+/// `--colorconfig`, or $OCIO. `automatic`: what "auto" does with it, if anything.
+void addConfigOption(CLI::App& command, ColorArguments& arguments,
+                     const std::string& automatic = {});
 
 /// For `--adapt`.
 CLI::Validator adaptationCheck();

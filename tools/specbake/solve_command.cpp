@@ -5,10 +5,12 @@
 #include <specbake/core/observer.h>
 #include <specbake/core/upsampler.h>
 #include <specbake/core/vector.h>
+#include <specbake/image/color_meaning.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -25,8 +27,11 @@ struct Arguments {
     bool json = false;
 };
 
-ColorSpace spaceOf(const Arguments& a) {
-    return wishedSpace(*findColorSpace(a.xyz.empty() ? "lin_rec709" : "xyz"), a.color.wishes());
+/// A configuration's spaces are of R, G and B.
+ColorMeaning meaningOf(const Arguments& a) {
+    ColorWishes wishes = a.color.wishes();
+    if (!a.xyz.empty()) wishes.config = {};
+    return meaningOfNumbers(*findColorSpace(a.xyz.empty() ? "lin_rec709" : "xyz"), wishes);
 }
 
 /// A colour typed as X Y Z; the grey of its Y where it is as near to that as the table of the
@@ -41,16 +46,23 @@ XYZ greyWhereMeant(const XYZ& typed, const Observer& observer) {
     return meant ? grey : typed;
 }
 
-/// The colour as a texel of a texture in that space would have it.
-ColorAnswer solve(const Arguments& a, const Upsampler& upsampler) {
-    const std::vector<double>& color = a.xyz.empty() ? a.rgb : a.xyz;
+RGB linearOf(const std::vector<double>& color, const ColorMeaning& meaning) {
     RGB linear;
-    for (int i = 0; i < 3; ++i) {
-        const double value = color[std::size_t(i)];
-        if (!std::isfinite(value)) throw ArgumentError("a colour of finite numbers is wanted");
-        linear[i] = linearFrom(value, upsampler.space().transfer);
+    std::array<float, 3> typed{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!std::isfinite(color[i])) throw ArgumentError("a colour of finite numbers is wanted");
+        typed[i] = float(color[i]);
+        linear[int(i)] = linearFrom(color[i], meaning.space.transfer);
     }
-    const XYZ asked = upsampler.xyz(linear);
+    if (!meaning.transform) return linear;
+    std::array<float, 3> transformed{};
+    meaning.transform->run(typed.data(), 1, &transformed);
+    return {double(transformed[0]), double(transformed[1]), double(transformed[2])};
+}
+
+/// The colour as a texel of a texture in that space would have it.
+ColorAnswer solve(const Arguments& a, const ColorMeaning& meaning, const Upsampler& upsampler) {
+    const XYZ asked = upsampler.xyz(linearOf(a.xyz.empty() ? a.rgb : a.xyz, meaning));
     if (a.xyz.empty()) return upsampler.solve(asked);
     ColorAnswer answer = upsampler.solve(greyWhereMeant(asked, upsampler.observer()));
     answer.asked = asked;
@@ -125,9 +137,10 @@ void printText(const ColorAnswer& answer, const Observer& observer) {
 ExitCode solveCommand(const Arguments& a) {
     if (a.xyz.empty() && a.rgb.empty()) throw ArgumentError("solve needs a colour: --xyz or --rgb");
     std::vector<std::string> notes;
-    const Upsampler upsampler(spaceOf(a), a.model.options(notes));
+    const ColorMeaning meaning = meaningOf(a);
+    const Upsampler upsampler(meaning.space, a.model.options(notes));
     printNotes(notes, upsampler);
-    const ColorAnswer answer = solve(a, upsampler);
+    const ColorAnswer answer = solve(a, meaning, upsampler);
     if (!answer.solution.solved()) {
         std::fprintf(stderr, "specbake: no spectrum: %s, gauge %.9g\n",
                      answer.outside ? "the colour is outside the object-colour solid"
@@ -153,6 +166,7 @@ Command addSolve(CLI::App& program) {
         ->expected(3)
         ->excludes(xyz);
     addColorOptions(*command, a->color, "lin_rec709 for --rgb");
+    addConfigOption(*command, a->color);
     addModelOptions(*command, a->model, "the space's white, E for --xyz");
     addOutsideOption(*command, a->model);
     command->add_flag("--json", a->json, "spectrum and report as JSON");

@@ -17,11 +17,15 @@ namespace {
 
 struct Arguments {
     std::string output;
-    ColorArguments color;
+    ColorArguments color;  ///< of the space "auto" where none is named
     ModelArguments model;
     int grid = kDefaultGridNodes;
     bool sync = false;
 };
+
+ColorSpace spaceOf(const Arguments& a) {
+    return linearSpaceOf(meaningOfNumbers(*findColorSpace("srgb"), a.color.wishes()));
+}
 
 void print(const char* where, const TableErrors& errors) {
     std::printf("  %-20s mean %.4f, 99th percentile %.4f, largest %.4f\n", where, errors.mean,
@@ -40,7 +44,7 @@ ExitCode tableCommand(const Arguments& a) {
     FileNames files;
     files.addInput(a.model.samples);
     files.addOutput(a.output, "-o");
-    const ColorSpace space = wishedSpace(*findColorSpace("srgb"), a.color.wishes());
+    const ColorSpace space = spaceOf(a);
     std::vector<std::string> notes;
     UpsamplerOptions options = a.model.options(notes);
     options.grid = a.grid;
@@ -74,8 +78,8 @@ Command addTable(CLI::App& program) {
         "table", "A table of spectra for renderers, which look texels up by specbake/sampler.h");
     command->footer("What is looked up is linear RGB of the space.");
     command->add_option("-o,--output", a->output, "the table, NAME.spectab")->required();
-    a->color.space = "srgb";
-    addSpaceOptions(*command, a->color, {});
+    addSpaceOptions(*command, a->color, "srgb");
+    addConfigOption(*command, a->color);
     addModelOptions(*command, a->model, "the space's white");
     command->add_option("--grid", a->grid, "nodes of the table along each axis")
         ->check(CLI::Range(kFewestGridNodes, kMostGridNodes))

@@ -205,7 +205,7 @@ Command addVerify(CLI::App& program) {
         ->needs(spectra);
     addReadOptions(*command, a->read, "else what the spectral file was made of");
     addColorOptions(*command, a->color, "what the spectral image says");
-    addConfigOption(*command, a->color);
+    addConfigOption(*command, a->color, kFileRules);
     command
         ->add_option("--illuminant", a->options.illuminant,
                      "light, or a file with its spectrum, instead of the one that the file names")

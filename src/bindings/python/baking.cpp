@@ -41,6 +41,11 @@ ReadOptions readOptions(const std::vector<std::string>& channels, const py::obje
     return read;
 }
 
+std::optional<std::string> textOf(const std::optional<Path>& path) {
+    if (!path) return {};
+    return path->string();
+}
+
 BakeStatistics bakeIt(const py::object& source, const Path& output, const BakeOptions& options,
                       const py::object& progress) {
     BakeStatistics statistics;
@@ -58,7 +63,8 @@ BakeStatistics bakeIt(const py::object& source, const Path& output, const BakeOp
         if (!options.read.channels.empty() || options.read.part || options.read.orient) {
             throw ArgumentError("channels, part and orient are for files, not for arrays");
         }
-        const ImageArray image(py::reinterpret_borrow<py::array>(source), options.color.space);
+        const ImageArray image(py::reinterpret_borrow<py::array>(source),
+                               options.color.config ? std::nullopt : options.color.space);
         run([&](const BakeOptions& o) {
             MemoryTexture texture(image.image());
             return bake(texture, output, o);
@@ -79,10 +85,12 @@ BakeStatistics bakeWithArguments(
     std::optional<std::pair<int, int>> tile, bool mipmap, const std::vector<std::string>& channels,
     const py::object& part, bool orient, int threads, const py::object& progress,
     const std::string& adapt, const std::optional<std::string>& quadrature,
-    const std::optional<WavelengthWords>& wavelengths, const std::string& observer) {
+    const std::optional<WavelengthWords>& wavelengths, const std::string& observer,
+    const std::optional<Path>& colorconfig) {
     BakeOptions options;
     options.read = readOptions(channels, part, orient);
     options.color.space = space;
+    options.color.config = textOf(colorconfig);
     options.model = modelOptions({light, adapt, method, outside, grid, material, samples,
                                   quadrature, wavelengths, observer});
     options.maxDeviation = maxDeviation;
@@ -117,15 +125,14 @@ void relightWithArguments(const Path& spectral, const Path& picture, const std::
         progress);
 }
 
-Verification verifyWithArguments(const Path& spectral, const Path& texture,
-                                 const std::optional<std::string>& space,
-                                 const std::optional<std::string>& light,
-                                 const std::vector<std::string>& channels, const py::object& part,
-                                 bool orient, int threads,
-                                 const std::optional<std::string>& quadrature,
-                                 const std::optional<std::string>& observer) {
+Verification verifyWithArguments(
+    const Path& spectral, const Path& texture, const std::optional<std::string>& space,
+    const std::optional<std::string>& light, const std::vector<std::string>& channels,
+    const py::object& part, bool orient, int threads, const std::optional<std::string>& quadrature,
+    const std::optional<std::string>& observer, const std::optional<Path>& colorconfig) {
     VerifyOptions options;
     options.color.space = space;
+    options.color.config = textOf(colorconfig);
     if (light) options.illuminant = lightNamed(*light);
     if (observer) options.observer = observerNamed(*observer);
     if (quadrature) options.quadrature = quadratureNamed(*quadrature);
@@ -201,7 +208,7 @@ void addBaking(py::module_& module) {
                py::arg("threads") = b.threads, py::arg("progress") = py::none(),
                py::arg("adapt") = std::string(adaptationName(b.model.adapt)),
                py::arg("quadrature") = py::none(), py::arg("wavelengths") = py::none(),
-               py::arg("observer") = "2", R"(
+               py::arg("observer") = "2", py::arg("colorconfig") = py::none(), R"(
 A texture to a spectral EXR, as `specbake bake` does it; the file appears whole or not at all.
 
 source: a file that OpenImageIO reads, or an array (height, width), (height, width, n) with n = 1
@@ -210,6 +217,8 @@ source: a file that OpenImageIO reads, or an array (height, width), (height, wid
 output: the spectral image, NAME.exr.
 space: of SPACES, what the source's numbers are; None: what a file says; for an array srgb if it is
   of integers, else lin_rec709.
+colorconfig: a configuration of OpenColorIO, a file, whose spaces and roles space may name too, and
+  whose file rules say what a file's numbers are where space is None. $OCIO is not looked at.
 light, method, outside, grid, material, samples, adapt, quadrature, wavelengths, observer: as of
   Upsampler.
 max_deviation: instead of grid, the coarsest one whose spectra deviate by no more from those that
@@ -240,7 +249,8 @@ Raises FileError, ArgumentError.)");
                py::kw_only(), py::arg("space") = py::none(), py::arg("light") = py::none(),
                py::arg("channels") = py::tuple(), py::arg("part") = py::none(),
                py::arg("orient") = false, py::arg("threads") = 0,
-               py::arg("quadrature") = py::none(), py::arg("observer") = py::none(), R"(
+               py::arg("quadrature") = py::none(), py::arg("observer") = py::none(),
+               py::arg("colorconfig") = py::none(), R"(
 Reads a spectral image back, integrates it under its light and compares it with its texture. What is
 left out is as the spectral file says. Returns a Verification. Raises FileError, ArgumentError.)");
 }

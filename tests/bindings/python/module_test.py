@@ -274,6 +274,20 @@ class Spectra(unittest.TestCase):
                 self.model.spectra([0, 0, 0], **wrong)
 
 
+CONFIG = """ocio_profile_version: 2
+roles: {default: Raw, scene_linear: Linear}
+displays:
+  screen:
+    - !<View> {name: Raw, colorspace: Raw}
+colorspaces:
+  - !<ColorSpace> {name: Raw, isdata: true}
+  - !<ColorSpace> {name: Linear, aliases: [acescg]}
+  - !<ColorSpace>
+    name: Squared
+    to_scene_reference: !<ExponentTransform> {value: 2}
+"""
+
+
 class Files(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -339,6 +353,29 @@ class Files(unittest.TestCase):
         with self.assertRaises(specbake.ArgumentError):
             specbake.bake(wide, self.path("b.exr"), orient=True)
         self.assertFalse(self.path("b.exr").exists())
+
+    def test_a_configuration_of_opencolorio(self):
+        """What its spaces mean is compared in tests/foreign/configured.py."""
+        config = self.path("studio.ocio")
+        config.write_text(CONFIG)
+        words = dict(space="Squared", colorconfig=config, dtype="float32", compression="none")
+        try:
+            specbake.bake(IMAGES / "rgb8.png", self.path("module.exr"), **words)
+        except specbake.FileError as error:
+            self.assertIn("built without", str(error))
+            self.skipTest("built without OpenColorIO")
+        self.program("bake", "-q", IMAGES / "rgb8.png", "-o", self.path("program.exr"), "-d", "float",
+                     "--compression", "none", "--colorconfig", config, "--space", "Squared")
+        self.assertEqual(self.path("module.exr").read_bytes(),
+                         self.path("program.exr").read_bytes())
+        import OpenImageIO
+        image = OpenImageIO.ImageBuf(str(IMAGES / "rgb8.png")).get_pixels(OpenImageIO.UINT8)
+        specbake.bake(image, self.path("array.exr"), **words)
+        array, file = (exr.read(self.path(n))[0] for n in ("array.exr", "module.exr"))
+        for band in file:
+            np.testing.assert_array_equal(array[band], file[band])
+        verified = specbake.verify(self.path("module.exr"), IMAGES / "rgb8.png", colorconfig=config)
+        self.assertTrue(verified.passes())
 
     def test_read_spectral_reads_what_others_read(self):
         specbake.bake(IMAGES / "rgba8.png", self.path("a.exr"), compression="none")

@@ -239,6 +239,7 @@ def bake(
     quadrature: Literal["bands", "fine"] | None = None,
     wavelengths: str | Sequence[float] | NDArray[Any] | None = None,
     observer: str = "2",
+    colorconfig: str | PathLike[str] | None = None,
 ) -> BakeStatistics: ...
 def relight(
     spectral: str | PathLike[str],
@@ -264,6 +265,7 @@ def verify(
     threads: int = 0,
     quadrature: Literal["bands", "fine"] | None = None,
     observer: str | None = None,
+    colorconfig: str | PathLike[str] | None = None,
 ) -> Verification: ...
 def read_spectral(
     path: str | PathLike[str], *, rows: tuple[int, int] | None = None

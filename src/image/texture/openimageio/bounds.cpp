@@ -2,7 +2,7 @@
 
 #include "file/input_stream.h"
 #include "texture/image_file.h"
-#include "texture/openimageio/exr_attributes.h"
+#include "texture/plain/exr_attributes.h"
 #include "texture/plain/exr_input.h"
 
 #include <specbake/core/error.h>

@@ -94,6 +94,15 @@ struct ColorWishes {
 /// wishes that cannot be read.
 SPECBAKE_API ColorSpace wishedSpace(const ColorSpace& base, const ColorWishes& wishes);
 
+/// What R, G and B mean that are of no texture: those of a space of the wishes' configuration, if
+/// both are named and it has the space, else of the space that the wishes say, over `base`.
+/// Throws ArgumentError for wishes that cannot be read, and FileError for the configuration.
+SPECBAKE_API ColorMeaning meaningOfNumbers(const ColorSpace& base, const ColorWishes& wishes);
+
+/// The space of the numbers without their curves: of a configuration's the one with its primaries
+/// and its white. Throws ArgumentError where curves and primaries are not all that the meaning is.
+SPECBAKE_API ColorSpace linearSpaceOf(const ColorMeaning& meaning);
+
 struct TextureInfo;
 
 /// The texture's own meaning, or what the user makes of it. `unused` gets a line for what the

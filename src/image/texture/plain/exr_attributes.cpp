@@ -1,4 +1,4 @@
-#include "texture/openimageio/exr_attributes.h"
+#include "texture/plain/exr_attributes.h"
 
 #include <specbake/core/error.h>
 #include <specbake/image/limits.h>
