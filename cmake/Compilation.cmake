@@ -9,9 +9,9 @@ target_compile_options(specbake_compilation INTERFACE
 # Highway's MulAdd) and nowhere else, so that a result does not depend on what a compiler likes.
 target_compile_options(specbake_compilation INTERFACE -ffp-contract=off)
 
-# On aarch64 vectors are NEON's, which every such processor has: those of SVE have no size that a class
-# could hold them by. The other definition says that there is nothing to choose from at run time, for
-# which Highway would ask for extensions, and standard containers of vectors could not be inlined.
+# On aarch64 vectors are NEON's, which every such processor has: those of SVE have no size that a
+# class could hold them by. The other definition says that there is nothing to choose from at run
+# time, for which Highway would ask for extensions that containers of vectors are not inlined with.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)")
   target_compile_definitions(specbake_compilation INTERFACE TOOLCHAIN_MISS_SYS_AUXV_H
     "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")

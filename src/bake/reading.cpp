@@ -18,6 +18,13 @@ bool standAt(const std::vector<double>& wavelengths, const Wavelengths& bands) {
     return true;
 }
 
+constexpr std::size_t kEnough = std::size_t(1) << 26;  ///< bytes of rows
+
+std::size_t bytesOfRow(const SpectralReader& spectral) {
+    return std::size_t(spectral.header().data.width) * spectral.wavelengths().size() *
+           sizeof(float);
+}
+
 bool isUsual(const SpectralReader& spectral) {
     return standAt(spectral.wavelengths(), Wavelengths());
 }
@@ -26,10 +33,11 @@ bool isUsual(const SpectralReader& spectral) {
 
 int rowsTogether(const SpectralReader& spectral) {
     constexpr std::size_t most = 16;
-    constexpr std::size_t enough = std::size_t(1) << 26;  // bytes
-    const std::size_t row =
-        std::size_t(spectral.header().data.width) * spectral.wavelengths().size() * sizeof(float);
-    return int(std::clamp<std::size_t>(enough / row, 1, most));
+    return int(std::clamp<std::size_t>(kEnough / bytesOfRow(spectral), 1, most));
+}
+
+int threadsFor(const SpectralReader& spectral, int threads) {
+    return bytesOfRow(spectral) > kEnough / 2 ? 1 : threads;
 }
 
 Quadrature statedQuadrature(const std::string& path, const SpectralReader& spectral) {

@@ -17,6 +17,10 @@ namespace specbake::internal {
 /// where they are long.
 int rowsTogether(const SpectralReader& spectral);
 
+/// How many threads to look at them with: one where rows are so long that each more under way would
+/// take tens of megabytes. Reading, which goes in order, takes the most time.
+int threadsFor(const SpectralReader& spectral, int threads);
+
 /// The quadrature for which a file says that its colours are exact. Of a file that says nothing:
 /// the sum over the bands if it has the usual 81, else the fine one. Throws FileError for another.
 Quadrature statedQuadrature(const std::string& path, const SpectralReader& spectral);

@@ -57,7 +57,7 @@ class Relighting {
         runPipeline(int(bands_.size()),
                     {[&](int i) { read(i); }, [&](int i) { light(bands_[std::size_t(i)]); }, write,
                      bandBytes()},
-                    options.threads, options.stop);
+                    threadsFor(reader_, options.threads), options.stop);
         writer_.commit();
     }
 

@@ -62,7 +62,7 @@ class Comparison {
         runPipeline(count,
                     {[&](int i) { read(i); }, [&](int i) { compare(i); }, [&](int i) { gather(i); },
                      2 * std::size_t(rowsTogether_) * width() * bandCount() * sizeof(float)},
-                    threads, {});
+                    threadsFor(spectral_, threads), {});
         if (const std::size_t compared = total_.texels - total_.notFinite) {
             total_.meanDE2000 /= double(compared);
             total_.p99DE2000 = largest_.ranked(descendingRankOfP99(compared));

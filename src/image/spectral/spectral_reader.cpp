@@ -129,6 +129,7 @@ const SpectralHeader& SpectralReader::header() const {
 
 StorageFacts SpectralReader::facts() const {
     const std::string& path = implementation_->path;
+    if (auto facts = implementation_->file->facts()) return *std::move(facts);
     return openImageIOParts(path).storageFacts(path);
 }
 

@@ -3,6 +3,7 @@
 #include "texture/color/color_signs.h"
 
 #include <specbake/image/image_types.h>
+#include <specbake/image/spectral_reader.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -47,6 +48,9 @@ class ImageFile {
     /// A string attribute, or an integer in decimal, under the name by which OpenImageIO knows it;
     /// or nothing.
     virtual std::optional<std::string> text(const std::string& attribute) const = 0;
+
+    /// What OpenImageIO would say of how the file is stored, where that is known without it.
+    virtual std::optional<StorageFacts> facts() const { return {}; }
 
     /// Rows [first, first + count) of the data window, counted from 0, channels interleaved, as
     /// samples of the given type: the file's own, or float32. Throws FileError; ArgumentError for

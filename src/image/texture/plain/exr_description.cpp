@@ -155,7 +155,9 @@ std::optional<ExrDescription> describePlain(const ExrInput& input) {
     const Window& w = d.image.data;
     const long long samples =
         1LL * w.width * w.height * static_cast<long long>(d.image.channels.size());
-    if (samples > kMostPlainSamples) return {};
+    exr_compression_t compression{};
+    input.check(exr_get_compression(input.get(), 0, &compression));
+    if (compression == EXR_COMPRESSION_PIZ && samples > kMostPizSamples) return {};
     return d;
 }
 

@@ -36,6 +36,22 @@ class Decoder {
     exr_decode_pipeline_t pipeline_ = EXR_DECODE_PIPELINE_INITIALIZER;
 };
 
+/// One of those that plain files have, by the name that OpenImageIO gives it.
+std::string compressionOf(const ExrInput& input) {
+    exr_compression_t compression{};
+    input.check(exr_get_compression(input.get(), 0, &compression));
+    switch (compression) {
+        case EXR_COMPRESSION_ZIP:
+            return "zip";
+        case EXR_COMPRESSION_ZIPS:
+            return "zips";
+        case EXR_COMPRESSION_PIZ:
+            return "piz";
+        default:
+            return "none";
+    }
+}
+
 class PlainExr : public ImageFile {
   public:
     PlainExr(std::string path, ExrInput input, ExrDescription description)
@@ -50,6 +66,15 @@ class PlainExr : public ImageFile {
         return found->second;
     }
 
+    std::optional<StorageFacts> facts() const override {
+        StorageFacts facts;
+        facts.channels = int(description().channels.size());
+        facts.sampleType = description().sampleType == TexelType::half ? "half" : "float";
+        facts.compression = compressionOf(input_);
+        facts.attributes.assign(texts_.begin(), texts_.end());
+        return facts;
+    }
+
   private:
     void unpackRows(int first, int count, TexelType type, std::span<std::byte> samples) override {
         const ImageDescription& d = description();
@@ -57,31 +82,53 @@ class PlainExr : public ImageFile {
             throw ArgumentError("an EXR has floating-point samples");
         }
         const std::size_t bytes = rowBytes(type);
-        for (int row = 0; row < count; ++row) {
-            const int y = d.data.y + first + row;
-            if (type != type_ || y < chunkFirst_ || y >= chunkEnd_) unpackChunk(y, type);
-            std::memcpy(samples.data() + bytes * std::size_t(row),
-                        chunk_.data() + bytes * std::size_t(y - chunkFirst_), bytes);
+        const int end = d.data.y + first + count;
+        for (int y = d.data.y + first; y < end;) {
+            std::byte* row = samples.data() + bytes * std::size_t(y - d.data.y - first);
+            if (type == type_ && y >= chunkFirst_ && y < chunkEnd_) {
+                std::memcpy(row, chunk_.data() + bytes * std::size_t(y - chunkFirst_), bytes);
+                ++y;
+                continue;
+            }
+            const exr_chunk_info_t chunk = chunkOf(y);
+            if (chunk.start_y == y && y + chunk.height <= end) {
+                unpack(chunk, type, row);
+                y += chunk.height;
+            } else {
+                keep(chunk, type);
+            }
         }
     }
 
-    /// The chunk that holds row y, as interleaved samples of that type, into chunk_.
-    void unpackChunk(int y, TexelType type) {
+    exr_chunk_info_t chunkOf(int y) const {
         exr_chunk_info_t info{};
         input_.check(exr_read_scanline_chunk_info(input_.get(), 0, y, &info));
         if (info.width != description().data.width || y < info.start_y ||
             y >= info.start_y + info.height) {
             throw FileError(path_, "damaged: a chunk of another place");
         }
+        return info;
+    }
+
+    /// A chunk of which not all rows are wanted now, into chunk_.
+    void keep(const exr_chunk_info_t& chunk, TexelType type) {
         chunkEnd_ = chunkFirst_;  // none, should this throw
-        chunk_.resize(rowBytes(type) * std::size_t(info.height));
-        Decoder decoder(input_, info);
+        chunk_.resize(rowBytes(type) * std::size_t(chunk.height));
+        unpack(chunk, type, chunk_.data());
+        chunkFirst_ = chunk.start_y;
+        chunkEnd_ = chunk.start_y + chunk.height;
+        type_ = type;
+    }
+
+    /// As interleaved samples of that type.
+    void unpack(const exr_chunk_info_t& chunk, TexelType type, std::byte* samples) const {
+        Decoder decoder(input_, chunk);
         const std::vector<std::string>& names = description().channels;
         for (exr_coding_channel_info_t& channel : decoder.channels()) {
             const auto place = std::find(names.begin(), names.end(), channel.channel_name);
             const auto index = std::size_t(place - names.begin());
             channel.decode_to_ptr =
-                reinterpret_cast<std::uint8_t*>(chunk_.data() + index * bytesPerSample(type));
+                reinterpret_cast<std::uint8_t*>(samples + index * bytesPerSample(type));
             channel.user_bytes_per_element = std::int16_t(bytesPerSample(type));
             channel.user_data_type =
                 std::uint16_t(type == TexelType::half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT);
@@ -89,9 +136,6 @@ class PlainExr : public ImageFile {
             channel.user_line_stride = std::int32_t(rowBytes(type));
         }
         decoder.run();
-        chunkFirst_ = info.start_y;
-        chunkEnd_ = info.start_y + info.height;
-        type_ = type;
     }
 
     std::string path_;

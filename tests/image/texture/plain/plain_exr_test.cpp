@@ -69,6 +69,27 @@ OIIO::ImageSpec randomSpec(Random& random) {
     return spec;
 }
 
+void checkFacts(const ImageFile& image, const std::string& path) {
+    const auto in = OIIO::ImageInput::open(path);
+    REQUIRE(in);
+    const std::optional<StorageFacts> facts = image.facts();
+    REQUIRE(facts);
+    CHECK(facts->channels == in->spec().nchannels);
+    CHECK(facts->sampleType == in->spec().format.c_str());
+    CHECK(facts->compression == in->spec().get_string_attribute("compression"));
+    CHECK(facts->tileWidth == in->spec().tile_width);
+    CHECK(facts->levels == 1);
+    for (const auto& [name, value] : facts->attributes) {
+        CAPTURE(name);
+        CHECK(value == in->spec()[name].get());
+    }
+    for (const char* name : {"specbake:illuminant", "specbake:grid", "DateTime"}) {
+        const auto found = std::find_if(facts->attributes.begin(), facts->attributes.end(),
+                                        [&](const auto& a) { return a.first == name; });
+        CHECK((found != facts->attributes.end()) == (in->spec().find_attribute(name) != nullptr));
+    }
+}
+
 std::string contentsOf(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -100,6 +121,7 @@ TEST_CASE("any channels, windows, compression and type read the same") {
         const auto image = openPlainExr(file.path());
         REQUIRE(image);
         checkSameAsOpenImageIO(*image, file.path());
+        checkFacts(*image, file.path());
     }
 }
 
@@ -142,7 +164,11 @@ TEST_CASE("anything else is left to OpenImageIO") {
     }
     write(file.path(), plain, random);
     CHECK(openPlainExr(file.path()) != nullptr);
-    write(file.path(), specOf({"Y"}, 2049, 2048, OIIO::TypeHalf), random);
+    OIIO::ImageSpec large = specOf({"Y"}, 2049, 2048, OIIO::TypeHalf);
+    write(file.path(), large, random);
+    CHECK(openPlainExr(file.path()) != nullptr);
+    large.attribute("compression", "piz");
+    write(file.path(), large, random);
     CHECK(openPlainExr(file.path()) == nullptr);
 }
 
