@@ -67,9 +67,11 @@ class PlainExr : public ImageFile {
     }
 
     std::optional<StorageFacts> facts() const override {
+        const ImageDescription& d = description();
+        if (d.signs.chromaticities || d.pixelAspectRatio != 1) return {};  // of which there is more
         StorageFacts facts;
-        facts.channels = int(description().channels.size());
-        facts.sampleType = description().sampleType == TexelType::half ? "half" : "float";
+        facts.channels = int(d.channels.size());
+        facts.sampleType = d.sampleType == TexelType::half ? "half" : "float";
         facts.compression = compressionOf(input_);
         facts.attributes.assign(texts_.begin(), texts_.end());
         return facts;

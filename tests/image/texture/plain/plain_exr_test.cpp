@@ -73,7 +73,8 @@ void checkFacts(const ImageFile& image, const std::string& path) {
     const auto in = OIIO::ImageInput::open(path);
     REQUIRE(in);
     const std::optional<StorageFacts> facts = image.facts();
-    REQUIRE(facts);
+    CHECK(facts.has_value() == (image.description().pixelAspectRatio == 1));
+    if (!facts) return;
     CHECK(facts->channels == in->spec().nchannels);
     CHECK(facts->sampleType == in->spec().format.c_str());
     CHECK(facts->compression == in->spec().get_string_attribute("compression"));
