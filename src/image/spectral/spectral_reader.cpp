@@ -129,8 +129,10 @@ const SpectralHeader& SpectralReader::header() const {
 
 StorageFacts SpectralReader::facts() const {
     const std::string& path = implementation_->path;
-    if (auto facts = implementation_->file->facts()) return *std::move(facts);
-    return openImageIOParts(path).storageFacts(path);
+    std::optional<StorageFacts> known = implementation_->file->facts();
+    StorageFacts facts = known ? *std::move(known) : openImageIOParts(path).storageFacts(path);
+    std::sort(facts.attributes.begin(), facts.attributes.end());
+    return facts;
 }
 
 const std::vector<double>& SpectralReader::wavelengths() const {

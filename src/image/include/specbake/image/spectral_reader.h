@@ -20,7 +20,7 @@ struct StorageFacts {
     int tileWidth = 0;        ///< 0: scan lines
     int tileHeight = 0;
     int levels = 1;  ///< of a mipmap; the first is the one that is read
-    std::vector<std::pair<std::string, std::string>> attributes;  ///< each value as text
+    std::vector<std::pair<std::string, std::string>> attributes;  ///< by name, values as text
 };
 
 /// Reads a spectral EXR back through OpenImageIO, by rows. It accepts bands of any wavelengths;
