@@ -10,8 +10,7 @@ namespace specbake::internal {
 /// is allocated on a header's word alone. Throws FileError.
 void checkBounds(const std::string& path, const std::string& format, const OIIO::ImageSpec& spec);
 
-/// The same of an EXR before a library allocates its chunks; nothing of another file, or one that
-/// OpenEXRCore does not open.
+/// The same of an EXR before a library allocates its chunks; nothing of another file.
 void checkExrBounds(const std::string& path);
 
 }  // namespace specbake::internal

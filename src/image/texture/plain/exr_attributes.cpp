@@ -46,6 +46,9 @@ constexpr std::array<FixedType, 24> kFixedTypes = {{
     {"v3i", 12},
 }};
 
+/// Behind a channel's name: its type, linearity and sampling.
+constexpr std::uint64_t kBytesOfChannel = 16;
+
 /// The headers from the first byte on. What is read beyond the end is 0, and ends the walk.
 class Headers {
   public:
@@ -80,6 +83,24 @@ class Headers {
     std::uint64_t size_ = 0;
 };
 
+/// Reads the value of an attribute that says how large the part is; of any other, nothing.
+void take(Headers& headers, const std::string& name, const std::string& type, ExrClaims& claims) {
+    if (name == "dataWindow" && type == "box2i") {
+        const auto left = std::int32_t(headers.number());
+        const auto top = std::int32_t(headers.number());
+        claims.width = 1LL + std::int32_t(headers.number()) - left;
+        claims.height = 1LL + std::int32_t(headers.number()) - top;
+    } else if (name == "channels" && type == "chlist") {
+        while (headers && !headers.text().empty()) {
+            ++claims.channels;
+            headers.goTo(headers.position() + kBytesOfChannel);
+        }
+    } else if (name == "tiles" && type == "tiledesc") {
+        const double across = headers.number();
+        claims.tileTexels = across * headers.number();
+    }
+}
+
 /// How many bytes a value takes by its type, or by what it says of itself; `claimed` for a type
 /// that leaves it to the header. Reads on from the value's first byte.
 std::uint64_t sizeByType(Headers& headers, const std::string& type, std::uint64_t claimed) {
@@ -88,9 +109,8 @@ std::uint64_t sizeByType(Headers& headers, const std::string& type, std::uint64_
     if (fixed != kFixedTypes.end()) return fixed->size;
     const std::uint64_t begin = headers.position();
     if (type == "chlist") {
-        constexpr std::uint64_t pixelTypeLinearityAndSampling = 16;
         while (headers && !headers.text().empty()) {
-            headers.goTo(headers.position() + pixelTypeLinearityAndSampling);
+            headers.goTo(headers.position() + kBytesOfChannel);
         }
         return headers ? headers.position() - begin : 0;
     }
@@ -111,7 +131,16 @@ std::uint64_t sizeByType(Headers& headers, const std::string& type, std::uint64_
 
 }  // namespace
 
-void checkExrAttributes(const std::string& path) {
+std::uint64_t ExrClaims::chunkBytes() const {
+    constexpr double mostLines = 256;  // of DWAB
+    constexpr double largestSample = 4;
+    constexpr double beyondAllMemory = 1e18;
+    const double texels = tileTexels > 0 ? tileTexels : double(width) * mostLines;
+    return std::uint64_t(std::min(texels * double(channels) * largestSample, beyondAllMemory));
+}
+
+std::vector<ExrClaims> checkExrAttributes(const std::string& path) {
+    std::vector<ExrClaims> parts(1);
     Headers headers(path);
     headers.number();  // the signature
     const bool severalParts = (headers.number() & 0x1000U) != 0;
@@ -119,7 +148,7 @@ void checkExrAttributes(const std::string& path) {
     while (headers && !name.empty()) {
         const std::string type = headers.text();
         const std::uint64_t claimed = headers.number();
-        if (!headers) return;
+        if (!headers) return parts;
         const std::uint64_t begin = headers.position();
         if (claimed > headers.left()) {
             throw FileError(path, "damaged: an attribute claims " + bytesText(claimed) +
@@ -129,11 +158,17 @@ void checkExrAttributes(const std::string& path) {
             throw FileError(path, "damaged: an attribute claims " + bytesText(claimed) +
                                       ", which its type contradicts");
         }
+        headers.goTo(begin);
+        take(headers, name, type, parts.back());
         headers.goTo(begin + claimed);
         name = headers.text();
         // A part's header ends with an empty name, the last one with two.
-        if (name.empty() && severalParts) name = headers.text();
+        if (name.empty() && severalParts) {
+            name = headers.text();
+            if (!name.empty()) parts.emplace_back();
+        }
     }
+    return parts;
 }
 
 }  // namespace specbake::internal

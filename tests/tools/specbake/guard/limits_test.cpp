@@ -120,6 +120,24 @@ TEST_CASE("an EXR's attributes take what their types say") {
     }
 }
 
+TEST_CASE("sides and tiles beyond all bounds cost nothing") {
+    using namespace std::string_literals;
+    const Scratch scratch;
+    const auto refused = [&](const std::string& attribute, const std::string& value,
+                             const std::string& says) {
+        std::string exr = contentsOf(testImage("tiled_offset.exr"));
+        exr.replace(exr.find(attribute) + attribute.size(), value.size(), value);
+        writeFile(scratch.path("odd.exr"), exr);
+        const Names bake = {"bake", scratch.path("odd.exr"), "-o", scratch.path("o.exr"), "-q"};
+        checkRefused(runTool(bake), says);
+    };
+    refused("dataWindow\0box2i\0\x10\0\0\0"s, "\0\0\0\0\0\0\0\0\xff\xff\xff\x6f"s,
+            "a side of more than");
+    refused("tiles\0tiledesc\0\x09\0\0\0"s, "\xff\xff\xff\x7f\xff\xff\xff\x7f"s, "--max-memory");
+    refused("tiles\0tiledesc\0\x09\0\0\0"s, "\0\x40\0\0\0\x40\0\0"s,
+            "its header claims 1.61 GB, which a file of 3.87 kB cannot hold");
+}
+
 TEST_CASE("more threads than there is room for are not begun") {
     const Scratch scratch;
     const Names bake = {"bake", testImage("17x33.png"), "-o", scratch.path("o.exr"), "-j", "1024"};
