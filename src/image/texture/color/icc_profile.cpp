@@ -21,13 +21,21 @@ bool isTableBased(cmsHPROFILE profile) {
            cmsIsTag(profile, cmsSigDToB0Tag) || cmsIsTag(profile, cmsSigDToB1Tag);
 }
 
+// A header may hold any numbers, which variables of the library's enumerations may not.
+cmsUInt32Number colorsOf(const IccProfile& profile) {
+    return cmsUInt32Number(cmsGetColorSpace(profile.get()));
+}
+cmsUInt32Number classOf(const IccProfile& profile) {
+    return cmsUInt32Number(cmsGetDeviceClass(profile.get()));
+}
+
 /// Pixels through a table.
 class ProfileTransform : public PixelTransform {
   public:
     ProfileTransform(const IccProfile& profile, ColorModel model)
         : context_(profile.context()), channels_(4), onPaper_(model == ColorModel::cmykOnPaper) {
         cmsUInt32Number format = TYPE_CMYK_FLT;
-        const cmsColorSpaceSignature space = cmsGetColorSpace(profile.get());
+        const cmsUInt32Number space = colorsOf(profile);
         if (space == cmsSigRgbData) format = TYPE_RGB_FLT;
         if (space == cmsSigGrayData) format = TYPE_GRAY_FLT;
         if (space == cmsSigRgbData) channels_ = 3;
@@ -109,7 +117,7 @@ ColorMeaning meaningOfGrey(const IccProfile& profile) {
 
 ColorMeaning meaningOf(const IccProfile& profile, ColorModel model) {
     const bool tables = isTableBased(profile.get()) || cmsGetPCS(profile.get()) != cmsSigXYZData;
-    const cmsColorSpaceSignature space = cmsGetColorSpace(profile.get());
+    const cmsUInt32Number space = colorsOf(profile);
     if (!tables && space == cmsSigGrayData) return meaningOfGrey(profile);
     if (!tables && space == cmsSigRgbData) return meaningOfMatrix(profile);
     ColorMeaning meaning;
@@ -119,13 +127,13 @@ ColorMeaning meaningOf(const IccProfile& profile, ColorModel model) {
 }
 
 void checkUse(const IccProfile& profile, ColorModel model, int channels) {
-    const cmsProfileClassSignature kind = cmsGetDeviceClass(profile.get());
+    const cmsUInt32Number kind = classOf(profile);
     if (kind != cmsSigInputClass && kind != cmsSigDisplayClass && kind != cmsSigOutputClass &&
         kind != cmsSigColorSpaceClass) {
         throw ProfileError("a profile of no device");
     }
-    const cmsColorSpaceSignature wanted = signatureOf(model, channels);
-    const cmsColorSpaceSignature there = cmsGetColorSpace(profile.get());
+    const cmsUInt32Number wanted = signatureOf(model, channels);
+    const cmsUInt32Number there = colorsOf(profile);
     const bool greyAsRGB =
         wanted == cmsSigGrayData && there == cmsSigRgbData && !isTableBased(profile.get());
     if (there != wanted && !greyAsRGB) throw ProfileError("a profile of other colours");
