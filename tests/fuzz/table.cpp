@@ -4,7 +4,6 @@
 #include <specbake/sampler.h>
 
 #include <array>
-#include <cmath>
 #include <limits>
 #include <vector>
 

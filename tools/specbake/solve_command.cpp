@@ -47,17 +47,18 @@ XYZ greyWhereMeant(const XYZ& typed, const Observer& observer) {
 }
 
 RGB linearOf(const std::vector<double>& color, const ColorMeaning& meaning) {
-    RGB linear;
-    std::array<float, 3> typed{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (!std::isfinite(color[i])) throw ArgumentError("a colour of finite numbers is wanted");
-        typed[i] = float(color[i]);
-        linear[int(i)] = linearFrom(color[i], meaning.space.transfer);
+    for (const double value : color) {
+        if (!std::isfinite(value)) throw ArgumentError("a colour of finite numbers is wanted");
     }
-    if (!meaning.transform) return linear;
-    std::array<float, 3> transformed{};
-    meaning.transform->run(typed.data(), 1, &transformed);
-    return {double(transformed[0]), double(transformed[1]), double(transformed[2])};
+    if (meaning.transform) {
+        const std::array<float, 3> typed = {float(color[0]), float(color[1]), float(color[2])};
+        std::array<float, 3> linear{};
+        meaning.transform->run(typed.data(), 1, &linear);
+        return {double(linear[0]), double(linear[1]), double(linear[2])};
+    }
+    const Transfer& transfer = meaning.space.transfer;
+    return {linearFrom(color[0], transfer), linearFrom(color[1], transfer),
+            linearFrom(color[2], transfer)};
 }
 
 /// The colour as a texel of a texture in that space would have it.

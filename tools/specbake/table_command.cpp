@@ -17,7 +17,7 @@ namespace {
 
 struct Arguments {
     std::string output;
-    ColorArguments color;  ///< of the space "auto" where none is named
+    ColorArguments color;
     ModelArguments model;
     int grid = kDefaultGridNodes;
     bool sync = false;

@@ -151,6 +151,11 @@ class OpenImageIOFile : public ImageFile {
     std::unique_ptr<RowSource> source_;
 };
 
+/// What every EXR has, and by far the most have it so.
+bool saysNothing(const std::string& name, const std::string& value) {
+    return (name == "PixelAspectRatio" && value == "1") || name.starts_with("screenWindow");
+}
+
 }  // namespace
 
 std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path,
@@ -173,15 +178,6 @@ std::unique_ptr<ImageFile> openWithOpenImageIO(const std::string& path,
     return std::make_unique<OpenImageIOFile>(std::move(description), std::move(source));
 }
 
-namespace {
-
-/// What every EXR has, and by far the most have it so.
-bool saysNothing(const std::string& name, const std::string& value) {
-    return (name == "PixelAspectRatio" && value == "1") || name.starts_with("screenWindow");
-}
-
-}  // namespace
-
 StorageFacts storageFactsOf(const std::string& path) {
     checkExrBounds(path);
     RowSource source(path, 0);
@@ -195,8 +191,8 @@ StorageFacts storageFactsOf(const std::string& path) {
     for (const auto& value : spec.extra_attribs) {
         const std::string name = value.name().string();
         if (name.starts_with("oiio:") || name == "compression") continue;
-        if (saysNothing(name, value.get_string())) continue;
-        facts.attributes.emplace_back(name, value.get_string());
+        const std::string text = value.get_string();
+        if (!saysNothing(name, text)) facts.attributes.emplace_back(name, text);
     }
     while (source.input().seek_subimage(0, facts.levels)) ++facts.levels;
     return facts;

@@ -46,9 +46,6 @@ constexpr std::array<FixedType, 24> kFixedTypes = {{
     {"v3i", 12},
 }};
 
-/// Behind a channel's name: its type, linearity and sampling.
-constexpr std::uint64_t kBytesOfChannel = 16;
-
 /// The headers from the first byte on. What is read beyond the end is 0, and ends the walk.
 class Headers {
   public:
@@ -83,6 +80,17 @@ class Headers {
     std::uint64_t size_ = 0;
 };
 
+/// How many channels a list has, which ends with an empty name. Reads to its end.
+std::uint64_t countChannels(Headers& headers) {
+    constexpr std::uint64_t typeLinearityAndSampling = 16;
+    std::uint64_t count = 0;
+    while (headers && !headers.text().empty()) {
+        ++count;
+        headers.goTo(headers.position() + typeLinearityAndSampling);
+    }
+    return count;
+}
+
 /// Reads the value of an attribute that says how large the part is; of any other, nothing.
 void take(Headers& headers, const std::string& name, const std::string& type, ExrClaims& claims) {
     if (name == "dataWindow" && type == "box2i") {
@@ -91,10 +99,7 @@ void take(Headers& headers, const std::string& name, const std::string& type, Ex
         claims.width = 1LL + std::int32_t(headers.number()) - left;
         claims.height = 1LL + std::int32_t(headers.number()) - top;
     } else if (name == "channels" && type == "chlist") {
-        while (headers && !headers.text().empty()) {
-            ++claims.channels;
-            headers.goTo(headers.position() + kBytesOfChannel);
-        }
+        claims.channels = countChannels(headers);
     } else if (name == "tiles" && type == "tiledesc") {
         const double across = headers.number();
         claims.tileTexels = across * headers.number();
@@ -109,9 +114,7 @@ std::uint64_t sizeByType(Headers& headers, const std::string& type, std::uint64_
     if (fixed != kFixedTypes.end()) return fixed->size;
     const std::uint64_t begin = headers.position();
     if (type == "chlist") {
-        while (headers && !headers.text().empty()) {
-            headers.goTo(headers.position() + kBytesOfChannel);
-        }
+        countChannels(headers);
         return headers ? headers.position() - begin : 0;
     }
     if (type == "preview") {

@@ -61,12 +61,11 @@ bool takeOverAll(const ExrInput& input, ExrDescription& description) {
 bool isPlainStorage(const ExrInput& input) {
     int parts = 0;
     exr_storage_t storage{};
-    exr_compression_t compression{};
     exr_lineorder_t order{};
     input.check(exr_get_count(input.get(), &parts));
     input.check(exr_get_storage(input.get(), 0, &storage));
-    input.check(exr_get_compression(input.get(), 0, &compression));
     input.check(exr_get_lineorder(input.get(), 0, &order));
+    const exr_compression_t compression = input.compression();
     const bool lossless = compression == EXR_COMPRESSION_NONE ||
                           compression == EXR_COMPRESSION_ZIP ||
                           compression == EXR_COMPRESSION_ZIPS || compression == EXR_COMPRESSION_PIZ;
@@ -155,9 +154,7 @@ std::optional<ExrDescription> describePlain(const ExrInput& input) {
     const Window& w = d.image.data;
     const long long samples =
         1LL * w.width * w.height * static_cast<long long>(d.image.channels.size());
-    exr_compression_t compression{};
-    input.check(exr_get_compression(input.get(), 0, &compression));
-    if (compression == EXR_COMPRESSION_PIZ && samples > kMostPizSamples) return {};
+    if (input.compression() == EXR_COMPRESSION_PIZ && samples > kMostPizSamples) return {};
     return d;
 }
 

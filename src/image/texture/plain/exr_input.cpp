@@ -32,4 +32,10 @@ void ExrInput::check(exr_result_t result) const {
     }
 }
 
+exr_compression_t ExrInput::compression() const {
+    exr_compression_t compression{};
+    check(exr_get_compression(get(), 0, &compression));
+    return compression;
+}
+
 }  // namespace specbake::internal

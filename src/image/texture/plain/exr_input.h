@@ -22,6 +22,9 @@ class ExrInput {
     /// Throws FileError if a call of the library failed.
     void check(exr_result_t result) const;
 
+    /// Of the first part.
+    exr_compression_t compression() const;
+
   private:
     struct Finish {
         void operator()(_priv_exr_context_t* context) const { exr_finish(&context); }

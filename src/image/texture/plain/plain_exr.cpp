@@ -37,9 +37,7 @@ class Decoder {
 };
 
 /// One of those that plain files have, by the name that OpenImageIO gives it.
-std::string compressionOf(const ExrInput& input) {
-    exr_compression_t compression{};
-    input.check(exr_get_compression(input.get(), 0, &compression));
+std::string nameOf(exr_compression_t compression) {
     switch (compression) {
         case EXR_COMPRESSION_ZIP:
             return "zip";
@@ -72,7 +70,7 @@ class PlainExr : public ImageFile {
         StorageFacts facts;
         facts.channels = int(d.channels.size());
         facts.sampleType = d.sampleType == TexelType::half ? "half" : "float";
-        facts.compression = compressionOf(input_);
+        facts.compression = nameOf(input_.compression());
         facts.attributes.assign(texts_.begin(), texts_.end());
         return facts;
     }

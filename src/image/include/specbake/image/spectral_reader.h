@@ -23,8 +23,8 @@ struct StorageFacts {
     std::vector<std::pair<std::string, std::string>> attributes;  ///< by name, values as text
 };
 
-/// Reads a spectral EXR back through OpenImageIO, by rows. It accepts bands of any wavelengths;
-/// channels of other names are passed over.
+/// Reads a spectral EXR back, by rows. It accepts bands of any wavelengths; channels of other names
+/// are passed over.
 class SPECBAKE_API SpectralReader {
   public:
     /// Throws FileError if the file cannot be read, has not two bands, or not all those that
