@@ -52,7 +52,8 @@ if(NOT SPECBAKE_CORE_ONLY)
   install_library(image ${seam})
   install_library(bake)
   install_pkg_config(image "Textures and spectral images" "specbake-core"
-    "OpenImageIO OpenEXR libhwy libjpeg libpng libtiff-4 lcms2 libdeflate ${color_config_module}"
+    "OpenImageIO OpenEXR libhwy libjpeg libpng libtiff-4 libexif lcms2 libdeflate \
+${color_config_module}"
     -lspecbake_openimageio)
   install_pkg_config(bake "Textures to spectral images" "specbake-image" "tbb")
 endif()

@@ -20,6 +20,6 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})
 # What the headers and the static libraries need of a program that is linked with them.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libopenimageio-dev, libopenexr-dev, libimath-dev, libtbb-dev, \
-libjpeg-dev, libpng-dev, libtiff-dev, libdeflate-dev, liblcms2-dev, libopencolorio-dev, \
-libhwy-dev, python3-numpy")
+libjpeg-dev, libpng-dev, libtiff-dev, libexif-dev, libdeflate-dev, liblcms2-dev, \
+libopencolorio-dev, libhwy-dev, python3-numpy")
 include(CPack)

@@ -96,14 +96,14 @@ TEST_CASE("settings of the host are as they were, while the libraries work and a
     const std::string spectral = (folder / "s.exr").string();
     int changes = 0;
     const auto look = [&](double) { changes += Settings() != before; };
-    // The JPEG is read by OpenImageIO, for its Exif.
+    // TIFF is read by OpenImageIO.
     BakeOptions options;
     options.threads = 3;
     options.progress = look;
-    bake(kImages + "orientation6.jpg", spectral, options);
+    bake(kImages + "rgb8.tif", spectral, options);
     VerifyOptions check;
     check.threads = 2;
-    static_cast<void>(verify(spectral, kImages + "orientation6.jpg", check));
+    static_cast<void>(verify(spectral, kImages + "rgb8.tif", check));
     RelightOptions relit;
     relit.threads = 1;
     relit.progress = look;

@@ -115,23 +115,38 @@ def _channels(value):
     return channels
 
 
+def _attributes(content):
+    """[(name, type, bytes)] of the one header, and where it ends."""
+    assert content[:4] == MAGIC and struct.unpack_from("<i", content, 4)[0] & 0x1a00 == 0
+    at, attributes = 8, []
+    while content[at]:
+        name, at = _read_string(content, at)
+        kind, at = _read_string(content, at)
+        size = struct.unpack_from("<i", content, at)[0]
+        attributes.append((name, kind, content[at + 4:at + 4 + size]))
+        at += 4 + size
+    return attributes, at + 1
+
+
+def values(path):
+    """{attribute: value} of those of one part that are a text or a number."""
+    read_as = {"string": bytes.decode, "int": lambda b: struct.unpack("<i", b)[0],
+               "float": lambda b: struct.unpack("<f", b)[0]}
+    attributes, _ = _attributes(path.read_bytes())
+    return {name: read_as[kind](value) for name, kind, value in attributes if kind in read_as}
+
+
 def read(path):
     """({channel: array}, {attribute: bytes}) of a file with one part."""
     content = path.read_bytes()
-    assert content[:4] == MAGIC and struct.unpack_from("<i", content, 4)[0] & 0x1a00 == 0
-    at, attributes = 8, {}
-    while content[at]:
-        name, at = _read_string(content, at)
-        _, at = _read_string(content, at)
-        size = struct.unpack_from("<i", content, at)[0]
-        attributes[name] = content[at + 4:at + 4 + size]
-        at += 4 + size
+    header, table = _attributes(content)
+    attributes = {name: value for name, _, value in header}
     assert attributes["compression"] == b"\0", "compressed"
     x0, y0, x1, y1 = struct.unpack("<4i", attributes["dataWindow"])
     width, height = x1 - x0 + 1, y1 - y0 + 1
     channels = _channels(attributes["channels"])
     arrays = {name: numpy.empty((height, width), kind) for name, kind in channels}
-    for offset in struct.unpack_from(f"<{height}Q", content, at + 1):
+    for offset in struct.unpack_from(f"<{height}Q", content, table):
         row = struct.unpack_from("<i", content, offset)[0] - y0
         position = offset + 8
         for name, kind in channels:

@@ -1,5 +1,6 @@
 #include "target.h"
 #include "texture/plain/plain_exr.h"
+#include "texture/plain/plain_jpeg.h"
 #include "texture/plain/plain_png.h"
 
 #include <memory>
@@ -26,6 +27,7 @@ void readAll(internal::ImageFile& image) {
 void run(std::span<const std::uint8_t> bytes) {
     const InputFile file(bytes);
     if (const auto png = internal::openPlainPng(file.path())) readAll(*png);
+    if (const auto jpeg = internal::openPlainJpeg(file.path())) readAll(*jpeg);
     if (const auto exr = internal::openPlainExr(file.path())) readAll(*exr);
 }
 

@@ -47,6 +47,7 @@ void checkSameAsOpenImageIO(ImageFile& file, const std::string& path) {
     CHECK(ours.alpha == theirs.alpha);
     CHECK(ours.associatedAlpha == theirs.associatedAlpha);
     CHECK(ours.sampleType == theirs.sampleType);
+    CHECK(ours.orientation == theirs.orientation);
     CHECK(ours.signs == theirs.signs);
     INFO(listed(ours.attributes), " and ", listed(theirs.attributes));
     CHECK(ours.attributes == theirs.attributes);

@@ -40,6 +40,10 @@ std::unique_ptr<ImageFile> openImageFile(const std::string& path,
     return openImageIOParts(path).openImage(path, {});
 }
 
+int validOrientation(int stored) {
+    return stored >= 1 && stored <= 8 ? stored : 1;
+}
+
 void checkSides(const std::string& path, long long width, long long height) {
     if (width < 1 || height < 1) throw FileError(path, "it has no pixels");
     if (width > kLargestSide || height > kLargestSide) {

@@ -75,6 +75,9 @@ class ImageFile {
 std::unique_ptr<ImageFile> openImageFile(const std::string& path,
                                          const std::optional<std::string>& part = {});
 
+/// 1 for what is none of the eight orientations.
+int validOrientation(int stored);
+
 /// Throws FileError for sides of no or of more than kLargestSide pixels, and for more pixels than
 /// the limits() allow.
 void checkSides(const std::string& path, long long width, long long height);

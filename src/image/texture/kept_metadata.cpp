@@ -11,9 +11,10 @@ namespace {
 
 /// Prefixes and names of what belongs to the old file alone.
 bool isStorage(std::string_view name) {
-    constexpr std::array<std::string_view, 12> prefixes = {
-        "oiio:",     "openexr:",      "tiff:",     "jpeg:",        "png:",  "ICCProfile",
-        "specbake:", "textureformat", "wrapmodes", "averagecolor", "SHA-1", "thumbnail"};
+    constexpr std::array<std::string_view, 13> prefixes = {
+        "oiio:",      "openexr:",  "tiff:",         "jpeg:",     "png:",
+        "ICCProfile", "specbake:", "textureformat", "wrapmodes", "averagecolor",
+        "SHA-1",      "thumbnail", "Exif:YCbCr"};
     constexpr std::array<std::string_view, 14> names = {"compression",
                                                         "chromaticities",
                                                         "PixelAspectRatio",

@@ -11,6 +11,12 @@ bool isVector(const OIIO::TypeDesc& type) {
            (count == 2 || count == 3 || count == 9 || count == 16);
 }
 
+/// Of any size, alone: what Exif and TIFF call BYTE, SHORT and LONG.
+bool isInteger(const OIIO::TypeDesc& type) {
+    return type.basevalues() == 1 && type.basetype >= OIIO::TypeDesc::UINT8 &&
+           type.basetype <= OIIO::TypeDesc::INT32;
+}
+
 }  // namespace
 
 Attributes metadataOf(const OIIO::ImageSpec& spec) {
@@ -21,7 +27,7 @@ Attributes metadataOf(const OIIO::ImageSpec& spec) {
         const OIIO::TypeDesc type = value.type();
         if (type == OIIO::TypeString) {
             kept[name] = value.get_string();
-        } else if (type == OIIO::TypeInt || type == OIIO::TypeUInt) {
+        } else if (isInteger(type)) {
             kept[name] = value.get_int();
         } else if (type == OIIO::TypeFloat) {
             kept[name] = value.get_float();

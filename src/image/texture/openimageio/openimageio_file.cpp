@@ -76,12 +76,6 @@ ColorModel modelOf(const OIIO::ImageSpec& spec, const std::string& format) {
     return ColorModel::rgb;
 }
 
-/// How Exif and TIFF would have the image shown; 1 for what is no such number.
-int orientationOf(const OIIO::ImageSpec& spec) {
-    const int orientation = spec.get_int_attribute("Orientation", 1);
-    return orientation >= 1 && orientation <= 8 ? orientation : 1;
-}
-
 /// What the channels are called: inks and Lab by what they are, whatever the library says.
 std::vector<std::string> channelsOf(const OIIO::ImageSpec& spec, ColorModel model) {
     std::vector<std::string> names;
@@ -103,7 +97,7 @@ ImageDescription describe(const RowSource& source, ColorModel model) {
     d.associatedAlpha = d.alpha && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
     d.sampleType = sampleTypeOf(spec.format);
     d.integers = !spec.format.is_floating_point();
-    d.orientation = orientationOf(spec);
+    d.orientation = validOrientation(spec.get_int_attribute("Orientation", 1));
     d.signs.model = model;
     d.signs.icc = profileOf(spec);
     d.signs.chromaticities = chromaticitiesOf(spec);

@@ -1,5 +1,8 @@
 #include "texture/plain/jpeg_decoder.h"
 
+#include "texture/kept_metadata.h"
+#include "texture/plain/exif_block.h"
+
 #include <specbake/core/error.h>
 #include <specbake/image/limits.h>
 
@@ -12,7 +15,19 @@
 namespace specbake::internal {
 namespace {
 
+constexpr int kExifMarker = JPEG_APP0 + 1;
 constexpr int kIccMarker = JPEG_APP0 + 2;
+constexpr int kPhotoshopMarker = JPEG_APP0 + 13;
+
+// How the data of these markers begin.
+constexpr std::string_view kExif("Exif\0\0", 6);
+constexpr std::string_view kXmp = "http://ns.adobe.com/xap/1.0/";
+
+/// Of what Photoshop keeps, OpenImageIO reads IPTC, where it is the first.
+bool beginsWithIptc(std::string_view data) {
+    constexpr std::string_view start("Photoshop 3.0\0008BIM\4\4", 20);
+    return data.substr(0, start.size()) == start.substr(0, data.size());
+}
 
 std::vector<std::string> namesOf(int components) {
     if (components == 1) return {"Y"};
@@ -55,6 +70,8 @@ JpegDecoder::JpegDecoder(const std::string& path) : path_(path), stream_(openStr
     describe();
     readProfile();
     readMarkers();
+    readDensity();
+    keepMetadata(description_);
 }
 
 void JpegDecoder::readHeader() {
@@ -65,7 +82,7 @@ void JpegDecoder::readHeader() {
         jpeg_create_decompress(&jpeg_);
         jpeg_.mem->max_memory_to_use = mostMemory;
         jpeg_stdio_src(&jpeg_, stream_.get());
-        for (const int marker : {JPEG_APP0 + 1, kIccMarker, JPEG_APP0 + 13, JPEG_COM}) {
+        for (const int marker : {kExifMarker, kIccMarker, kPhotoshopMarker, JPEG_COM}) {
             jpeg_save_markers(&jpeg_, marker, longestMarker);
         }
         jpeg_read_header(&jpeg_, TRUE);
@@ -88,17 +105,6 @@ void JpegDecoder::describe() {
         d.signs.model = jpeg_.saw_Adobe_marker != 0 ? ColorModel::cmykOnPaper : ColorModel::cmyk;
     }
     d.sampleType = TexelType::uint8;
-    const auto x = float(jpeg_.X_density);
-    const auto y = float(jpeg_.Y_density);
-    if (x == 0 || y == 0) return;
-    d.pixelAspectRatio = x / y;  // as the programs that write densities mean it
-    if (x == 1 || y == 1) return;
-    d.attributes["XResolution"] = x;
-    d.attributes["YResolution"] = y;
-    constexpr std::array units = {"none", "in", "cm"};
-    if (jpeg_.density_unit < units.size()) {
-        d.attributes["ResolutionUnit"] = std::string(units[jpeg_.density_unit]);
-    }
 }
 
 /// The profile, which may go through several markers.
@@ -119,16 +125,54 @@ void JpegDecoder::readProfile() {
 
 void JpegDecoder::readMarkers() {
     for (auto* marker = jpeg_.marker_list; marker != nullptr; marker = marker->next) {
-        if (marker->marker == kIccMarker) continue;
-        if (marker->marker != JPEG_COM) {
-            plain_ = false;
-            return;
+        const std::string_view data(reinterpret_cast<const char*>(marker->data),
+                                    marker->data_length);
+        if (marker->marker == JPEG_COM) {
+            // A comment may end in a zero, as strings of C do.
+            description_.attributes.emplace("ImageDescription",
+                                            std::string(data.substr(0, data.find('\0'))));
+        } else if (marker->marker == kExifMarker) {
+            readExifOrXmp(data);
+        } else if (marker->marker == kPhotoshopMarker) {
+            plain_ = plain_ && !beginsWithIptc(data);
         }
-        // A comment may end in a zero, as strings of C do.
-        const std::string_view comment(reinterpret_cast<const char*>(marker->data),
-                                       marker->data_length);
-        description_.attributes.emplace("ImageDescription",
-                                        std::string(comment.substr(0, comment.find('\0'))));
+    }
+}
+
+void JpegDecoder::readExifOrXmp(std::string_view data) {
+    if (data.starts_with(kXmp)) plain_ = false;
+    if (!data.starts_with(kExif)) return;
+    auto exif = readExif(data.substr(kExif.size()));
+    plain_ = plain_ && exif && !hasExif_;
+    if (!plain_) return;
+    description_.attributes.merge(*exif);
+    hasExif_ = true;
+}
+
+/// What JFIF says of the resolution goes before what Exif says; a density of 1 is none.
+void JpegDecoder::readDensity() {
+    Attributes& attributes = description_.attributes;
+    const auto stated = [&](const char* name) {
+        const auto found = attributes.find(name);
+        const auto* value =
+            found == attributes.end() ? nullptr : std::get_if<float>(&found->second);
+        return value == nullptr ? 0 : *value;
+    };
+    auto x = float(jpeg_.X_density);
+    auto y = float(jpeg_.Y_density);
+    if (x == 0 || y == 0) {
+        x = stated("XResolution");
+        y = stated("YResolution");
+        if (x == 0 || y == 0) return;
+    }
+    description_.pixelAspectRatio = x / y;  // as the programs that write densities mean it
+    if (x != 1 && y != 1) {
+        attributes["XResolution"] = x;
+        attributes["YResolution"] = y;
+    }
+    constexpr std::array units = {"none", "in", "cm"};
+    if (attributes.contains("XResolution") && jpeg_.density_unit < units.size()) {
+        attributes["ResolutionUnit"] = std::string(units[jpeg_.density_unit]);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h needs it before
 #include <string>
+#include <string_view>
 
 namespace specbake::internal {
 
@@ -22,8 +23,8 @@ class JpegDecoder {
 
     const ImageDescription& description() const { return description_; }
 
-    /// Of one, three or four components, and no metadata that other libraries know how to read
-    /// (Exif, XMP, IPTC).
+    /// Of one, three or four components, and no metadata that OpenImageIO alone knows how to read
+    /// (XMP, IPTC, the maker notes of Canon, a second block of Exif).
     bool isPlain() const { return plain_; }
     bool hasInks() const { return jpeg_.num_components == 4; }
 
@@ -55,6 +56,8 @@ class JpegDecoder {
     void describe();
     void readProfile();
     void readMarkers();
+    void readExifOrXmp(std::string_view data);
+    void readDensity();
 
     std::string path_;
     InputStream stream_;
@@ -62,6 +65,7 @@ class JpegDecoder {
     Decompressor jpeg_;
     ImageDescription description_;
     bool plain_ = true;
+    bool hasExif_ = false;
 };
 
 }  // namespace specbake::internal

@@ -2,6 +2,7 @@
 
 #include "texture/color/png_signs.h"
 #include "texture/kept_metadata.h"
+#include "texture/plain/exif_block.h"
 
 #include <specbake/core/error.h>
 
@@ -160,6 +161,7 @@ void PngDecoder::readColorChunks() {
 
 /// Under the names that other formats have, so that they mean the same in an EXR.
 void PngDecoder::readMetadata() {
+    readExifChunk();  // what PNG's own chunks say goes before it
     Attributes& attributes = description_.attributes;
     png_timep t = nullptr;
     if (png_get_tIME(png_.read, png_.info, &t) != 0) {
@@ -182,7 +184,19 @@ void PngDecoder::readMetadata() {
         const float aspect = png_get_pixel_aspect_ratio(png_.read, png_.info);
         if (aspect != 0) description_.pixelAspectRatio = aspect;
     }
-    if (png_get_valid(png_.read, png_.info, PNG_INFO_eXIf) != 0) hasRichMetadata_ = true;
+}
+
+void PngDecoder::readExifChunk() {
+    png_uint_32 size = 0;
+    png_bytep bytes = nullptr;
+    if (png_get_eXIf_1(png_.read, png_.info, &size, &bytes) == 0) return;
+    auto exif = readExif({reinterpret_cast<const char*>(bytes), size});
+    if (!exif) {
+        hasRichMetadata_ = true;
+        return;
+    }
+    description_.attributes.merge(*exif);
+    keepMetadata(description_);
 }
 
 void PngDecoder::readRow(std::byte* samples) {

@@ -23,7 +23,7 @@ class PngDecoder {
 
     /// Interlaced rows come in seven passes, not one after the other.
     bool isInterlaced() const;
-    /// Exif or XMP, which other libraries know how to read.
+    /// What OpenImageIO alone knows how to read: XMP, Exif in a text, the maker notes of Canon.
     bool hasRichMetadata() const { return hasRichMetadata_; }
 
     /// Throws FileError; with the last row also for a file that is cut after it.
@@ -49,6 +49,7 @@ class PngDecoder {
     void describe();
     void readColorChunks();
     void readMetadata();
+    void readExifChunk();
     void readText(const char* key, const std::string& text);
 
     std::string path_;
