@@ -2,8 +2,6 @@
 
 #include <specbake/core/error.h>
 
-#include <cstdint>
-
 namespace specbake::internal {
 namespace {
 
@@ -117,6 +115,10 @@ ExrContext::ExrContext(const std::filesystem::path& file, std::string shownAs,
 
 ExrContext::~ExrContext() {
     if (context_ != nullptr) exr_finish(&context_);
+}
+
+void ExrContext::reserve(std::uint64_t bytes) {
+    if (!stream_.reserve(bytes)) check(EXR_ERR_WRITE_IO);
 }
 
 int ExrContext::firstRow(const ChunkGrid& level, int chunk) const {

@@ -7,6 +7,7 @@
 #include <OpenEXR/openexr.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -24,6 +25,9 @@ class ExrContext {
     ExrContext& operator=(const ExrContext&) = delete;
 
     exr_context_t get() const { return context_; }
+
+    /// Takes space for so many bytes. Throws FileError if there is not so much.
+    void reserve(std::uint64_t bytes);
 
     /// What OpenEXRCore's encoder asks for. Safe from several threads.
     exr_chunk_info_t chunkInfo(const ChunkGrid& level, int chunk) const;

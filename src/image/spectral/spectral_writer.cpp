@@ -40,7 +40,12 @@ SpectralWriter::SpectralWriter(const std::filesystem::path& path, const Spectral
                                const StorageOptions& storage)
     : SpectralSink(chunkGrids(header.data.width, header.data.height, checked(storage)),
                    storage.sampleType, header.alpha, header.bands.count),
-      implementation_(std::make_unique<Implementation>(path, header, storage)) {}
+      implementation_(std::make_unique<Implementation>(path, header, storage)) {
+    if (storage.compression != Compression::none) return;
+    std::uint64_t bytes = 0;
+    for (int chunk = 0; chunk < chunkCount(); ++chunk) bytes += chunkBytes(chunk);
+    implementation_->context.reserve(bytes);
+}
 
 SpectralWriter::~SpectralWriter() = default;
 
