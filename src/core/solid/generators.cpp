@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace specbake::internal {
 namespace {
@@ -73,10 +75,6 @@ std::array<std::size_t, kBandCount> generatorsOfBands(const std::vector<std::vec
     return ofBand;
 }
 
-Imath::V3d unit(const ExactVector& n) {
-    return Imath::V3d(double(n[0]), double(n[1]), double(n[2])).normalized();
-}
-
 /// On which side of the plane of a pair a third vector lies that is in it, as if every vector that
 /// is not red, v_j, were v_j + ε^(j+1) (0, 0, 1) with an ε as small as it must be: the sign is that
 /// of the first of its terms, in which one vector stands replaced by (0, 0, 1). As the plane is not
@@ -92,17 +90,47 @@ bool isAbove(const std::vector<ExactVector>& vectors, int first, int second, int
     return cross(at(first), at(second))[2] > 0;
 }
 
-SidePair sidePair(const std::vector<ExactVector>& vectors, int first, int second) {
+Imath::V3d rounded(const ExactVector& v) {
+    return {double(v[0]), double(v[1]), double(v[2])};
+}
+
+/// n·v, exact in its sign: of most vectors it follows from doubles.
+class Plane {
+  public:
+    explicit Plane(const ExactVector& normal) : exact_(normal), normal_(rounded(normal)) {}
+
+    /// `v`: the same as a vector of doubles, which the bands' are.
+    int sideOf(const ExactVector& vector, const Imath::V3d& v) const {
+        // n is rounded once, each product once, the sum twice: 4 roundings of what is added.
+        constexpr double error = 4 * std::numeric_limits<double>::epsilon();
+        const double x = normal_.x * v.x;
+        const double y = normal_.y * v.y;
+        const double z = normal_.z * v.z;
+        const double sum = x + y + z;
+        const double doubt = error * (std::abs(x) + std::abs(y) + std::abs(z));
+        if (std::abs(sum) > doubt) return sum > 0 ? 1 : -1;
+        const Exact distance = dot(exact_, vector);
+        return distance > 0 ? 1 : distance < 0 ? -1 : 0;
+    }
+
+  private:
+    ExactVector exact_;
+    Imath::V3d normal_;
+};
+
+SidePair sidePair(const std::vector<ExactVector>& vectors, const std::vector<Imath::V3d>& asDoubles,
+                  int first, int second) {
     ExactVector n = cross(vectors[std::size_t(first)], vectors[std::size_t(second)]);
     if (n[2] < 0) {
         std::swap(first, second);
         n = {-n[0], -n[1], -n[2]};
     }
-    SidePair side{first, second, unit(n), {}, {}};
+    const Plane plane(n);
+    SidePair side{first, second, rounded(n).normalized(), {}, {}};
     for (int j = 0; j < int(vectors.size()); ++j) {
         if (j == first || j == second) continue;
-        const Exact distance = dot(n, vectors[std::size_t(j)]);
-        const bool above = distance == 0 ? isAbove(vectors, first, second, j) : distance > 0;
+        const int of = plane.sideOf(vectors[std::size_t(j)], asDoubles[std::size_t(j)]);
+        const bool above = of == 0 ? isAbove(vectors, first, second, j) : of > 0;
         (above ? side.above : side.below)[std::size_t(j)] = true;
     }
     return side;
@@ -129,6 +157,8 @@ Generators makeGenerators(const BandVectors& bandVectors) {
     for (const auto& bands : result.bands) {
         vectors.push_back(bandVectors[std::size_t(bands.front())]);
     }
+    std::vector<Imath::V3d> asDoubles;
+    for (const ExactVector& v : vectors) asDoubles.push_back(rounded(v));
     const int count = result.count();
     result.red = redByAngle(vectors);
     result.isRed.assign(vectors.size(), false);
@@ -140,7 +170,7 @@ Generators makeGenerators(const BandVectors& bandVectors) {
             const int index = int(result.sides.size());
             result.sideOfPair[result.pairIndex(m, k)] = index;
             result.sideOfPair[result.pairIndex(k, m)] = index;
-            result.sides.push_back(sidePair(vectors, m, k));
+            result.sides.push_back(sidePair(vectors, asDoubles, m, k));
         }
     }
     return result;

@@ -193,12 +193,12 @@ Vertex Solid::Data::corner(std::size_t face, bool otherSide, const XYZ& color) c
     const SidePair& side = generators->sides[face];
     Vertex vertex{side.above, ExactSum(color)};
     if (!otherSide) {
-        vertex.gap.subtract(corners[face]);
+        vertex.gap.subtract(corners()[face]);
         return vertex;
     }
     for (std::size_t j = 0; j < vectors.size(); ++j) vertex.ones[j] = !side.above[j];
     vertex.gap.subtract(all);
-    vertex.gap.add(corners[face]);
+    vertex.gap.add(corners()[face]);
     return vertex;
 }
 
@@ -208,7 +208,7 @@ Vertex Solid::Data::near(const XYZ& color, double gauge) const {
     constexpr double far = 2;
     const Imath::V3d d = color - center;
     const std::size_t face = faces.atLeast(gauge, d).front();
-    if (gauge > far || face == corners.size()) return farthest(vectors, color, d);
+    if (gauge > far || face == corners().size()) return farthest(vectors, color, d);
     return corner(face, faces.level(face, d) < 0, color);
 }
 

@@ -69,7 +69,18 @@ Solid::Data::Data(const Observer& observer)
     topCenter = {top.x, top.y};
     rates = ReleaseRates(vectors);
     makeFaces();
-    fromBlack = FromBlack(*generators, vectors);
+}
+
+const FromBlack& Solid::Data::fromBlack() const {
+    return fromBlack_.get([this] { return FromBlack(*generators, vectors); });
+}
+
+const std::vector<ExactSum>& Solid::Data::corners() const {
+    return corners_.get([this] {
+        std::vector<ExactSum> corners;
+        for (const SidePair& side : generators->sides) corners.push_back(sumOf(side.above));
+        return corners;
+    });
 }
 
 ExactSum Solid::Data::sumOf(const GeneratorSet& set) const {
@@ -84,7 +95,6 @@ void Solid::Data::makeFaces() {
     all = sumOf(GeneratorSet().set());
     std::vector<Imath::V3d> directions;
     for (const SidePair& side : generators->sides) {
-        corners.push_back(sumOf(side.above));
         const bool dark = vectors[std::size_t(side.first)].length2() == 0 ||
                           vectors[std::size_t(side.second)].length2() == 0;
         // A band without light makes no faces: a normal of 0 is never the largest.
@@ -110,7 +120,7 @@ Solid::Data::FacePoint Solid::Data::onSide(std::size_t face, const XYZ& point) c
     for (std::size_t j = 0; j < vectors.size(); ++j) result.values[j] = side.above[j] ? 1 : 0;
     const auto first = std::size_t(side.first);
     const auto second = std::size_t(side.second);
-    const OnParallelogram p = nearestOnParallelogram(point - corners[face].high(), vectors[first],
+    const OnParallelogram p = nearestOnParallelogram(point - corners()[face].high(), vectors[first],
                                                      vectors[second], side.normal);
     result.values[first] = p.alpha;
     result.values[second] = p.beta;
@@ -187,11 +197,11 @@ double Solid::gaugeError() const {
 }
 
 double Solid::gaugeFromBlack(const XYZ& color) const {
-    return data_->fromBlack.gauge(color);
+    return data_->fromBlack().gauge(color);
 }
 
 double Solid::depthInCone(const XYZ& color) const {
-    return data_->fromBlack.depth(color);
+    return data_->fromBlack().depth(color);
 }
 
 Solid::Boundary Solid::boundary(const XYZ& color) const {

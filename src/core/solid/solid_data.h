@@ -5,6 +5,7 @@
 #include "solid/face_levels.h"
 #include "solid/from_black.h"
 #include "solid/generators.h"
+#include "solid/on_first_use.h"
 #include "solid/release_rates.h"
 
 #include <specbake/core/solid.h>
@@ -51,7 +52,8 @@ struct Solid::Data {
     internal::FaceLevels faces;
     double gaugeError = 0;
 
-    internal::FromBlack fromBlack;
+    /// Made when a colour is beyond the boundary: few textures have any.
+    const internal::FromBlack& fromBlack() const;
 
     /// Values whose colour is a boundary point's, and how far their colour is from it.
     struct FacePoint {
@@ -68,8 +70,9 @@ struct Solid::Data {
     /// Of a point of one of generators->sides.
     FacePoint onSide(std::size_t face, const XYZ& point) const;
 
-    /// The corner of each of generators->sides at which its two generators are 0.
-    std::vector<internal::ExactSum> corners;
+    /// The corner of each of generators->sides at which its two generators are 0. Made when a
+    /// colour is at the boundary or beyond it.
+    const std::vector<internal::ExactSum>& corners() const;
     internal::ExactSum all;  ///< Σ w_j
 
     /// A vertex of the solid from which the nearest point to a colour outside is not far.
@@ -79,6 +82,9 @@ struct Solid::Data {
     internal::ExactSum sumOf(const internal::GeneratorSet& set) const;
     internal::Vertex corner(std::size_t face, bool otherSide, const XYZ& color) const;
     void makeFaces();
+
+    internal::OnFirstUse<internal::FromBlack> fromBlack_;
+    internal::OnFirstUse<std::vector<internal::ExactSum>> corners_;
 };
 
 }  // namespace specbake

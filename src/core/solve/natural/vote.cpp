@@ -3,7 +3,8 @@
 #include "solve/natural/place.h"
 #include "solve/natural/weighted_sum.h"
 
-#include <cmath>
+#include <array>
+#include <numeric>
 
 namespace specbake::internal {
 namespace {
@@ -16,11 +17,15 @@ void scale(Spectrum& s, double factor) {
     for (double& value : s) value *= factor;
 }
 
-/// |a − b|²
+/// |a − b|², by sums that do not wait for each other.
 double squaredDistance(const Spectrum& a, const Spectrum& b) {
-    double sum = 0;
-    for (std::size_t m = 0; m < a.size(); ++m) sum += square(a[m] - b[m]);
-    return sum;
+    constexpr std::size_t last = kBandCount - 1;
+    std::array<double, 8> sums{};
+    static_assert(last % sums.size() == 0);
+    for (std::size_t m = 0; m < last; m += sums.size()) {
+        for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += square(a[m + i] - b[m + i]);
+    }
+    return std::accumulate(sums.begin(), sums.end(), square(a[last] - b[last]));
 }
 
 /// φ: 0 for greys and for black.
@@ -45,7 +50,7 @@ Vote::Vote(const Observer& observer, const Solver& solver, const std::vector<Mea
         Blacks& blacks = sets_.emplace_back();
         for (std::size_t k = 0; k < colors.size(); ++k) {
             if (!solutions[k].solved()) continue;
-            blacks.places.push_back(placeOf(colors[k], white_));
+            blacks.places.add(placeOf(colors[k], white_));
             const Weighted found{-1, &solutions[k].spectrum};
             Spectrum& black = blacks.differences.emplace_back(samples[k].reflectance);
             addWeighted({&found, 1}, black);
@@ -53,22 +58,17 @@ Vote::Vote(const Observer& observer, const Solver& solver, const std::vector<Mea
     }
 }
 
-Vote::LocalMean Vote::localMean(const Blacks& set, const Imath::V3d& place) {
-    constexpr double negligible = 0x1p-40;  // of a vote that changes a reflectance by 1 at most
-    const double farthest = -2 * square(kWidth) * std::log(negligible);
-    std::vector<Weighted> near;
-    double mass = 0;  // m_j
-    for (std::size_t k = 0; k < set.places.size(); ++k) {
-        const double distance = (place - set.places[k]).length2();
-        if (distance > farthest) continue;
-        const double weight = std::exp(-distance / (2 * square(kWidth)));  // K_k
-        near.push_back({weight, &set.differences[k]});
-        mass += weight;
-    }
+Vote::LocalMean Vote::localMean(const Blacks& set, const Imath::V3d& place, Near& near) {
+    weighNear(set.places, place, kWidth, near);
+    const double mass = std::accumulate(near.weights.begin(), near.weights.end(), 0.0);  // m_j
     LocalMean local;
     if (mass == 0) return local;
-    for (Weighted& black : near) black.weight /= mass;
-    addWeighted(near, local.mean);
+    std::vector<Weighted> blacks;
+    blacks.reserve(near.weights.size());
+    for (std::size_t i = 0; i < near.weights.size(); ++i) {
+        blacks.push_back({near.weights[i] / mass, &set.differences[near.indices[i]]});
+    }
+    addWeighted(blacks, local.mean);
     local.vote = mass / (mass + kHalfVote);
     return local;
 }
@@ -76,9 +76,10 @@ Vote::LocalMean Vote::localMean(const Blacks& set, const Imath::V3d& place) {
 Spectrum Vote::at(const XYZ& color) const {
     const Imath::V3d place = placeOf(color, white_);
     std::vector<LocalMean> locals;
+    Near near;
     double votes = 0;  // Q
     for (const Blacks& set : sets_) {
-        votes += locals.emplace_back(localMean(set, place)).vote;
+        votes += locals.emplace_back(localMean(set, place, near)).vote;
     }
     if (votes == 0) return {};
     std::vector<Weighted> terms;

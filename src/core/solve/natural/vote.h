@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solve/natural/kernel.h"
 #include "solve/natural/measured_set.h"
 
 #include <specbake/core/observer.h>
@@ -47,20 +48,20 @@ class Vote {
     /// `solver` is the observer's. Samples that it does not solve are left out.
     Vote(const Observer& observer, const Solver& solver, const std::vector<MeasuredSet>& sets);
 
-    /// v. `color` is finite. About 8 µs.
+    /// v. `color` is finite. About 2 µs.
     Spectrum at(const XYZ& color) const;
 
   private:
     /// Places apart from spectra: all of them are looked at, of few of these.
     struct Blacks {
-        std::vector<Imath::V3d> places;     ///< p_k
+        Places places;                      ///< p_k
         std::vector<Spectrum> differences;  ///< b_k
     };
     struct LocalMean {
         double vote = 0;  ///< q_j
         Spectrum mean{};  ///< b_j
     };
-    static LocalMean localMean(const Blacks& set, const Imath::V3d& place);
+    static LocalMean localMean(const Blacks& set, const Imath::V3d& place, Near& near);
 
     XYZ white_;
     std::vector<Blacks> sets_;

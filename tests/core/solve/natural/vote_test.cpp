@@ -1,8 +1,10 @@
 #include "solve/natural/vote.h"
 
+#include "solve/natural/kernel.h"
 #include "solve/natural/weighted_sum.h"
 #include "solve/shell.h"
 #include "support/csv.h"
+#include "support/each_target.h"
 #include "support/solid_samples.h"
 
 #include <specbake/core/vector.h>
@@ -195,5 +197,36 @@ TEST_CASE("weighted sums are those of a plain loop, bit for bit") {
             }
         }
         CHECK(sum == expected);
+    }
+}
+
+TEST_CASE("near places have the weights of the kernel, in their order, on every processor") {
+    // exp is within 1 unit in the last place (Highway), its argument and 1/2h² within 4 roundings
+    // of up to 28: weights differ by 28 · 4 u + 2 u of themselves at most.
+    constexpr double limit = 114 * 0x1p-53;
+    Random random(23);
+    for (const std::size_t count : {0U, 1U, 7U, 8U, 9U, 100U}) {
+        CAPTURE(count);
+        Places places;
+        std::vector<Imath::V3d> all;
+        for (std::size_t k = 0; k < count; ++k) {
+            all.emplace_back(random(0, 60), random(-30, 30), random(-30, 30));
+            places.add(all.back());
+        }
+        const Imath::V3d p(random(0, 60), random(-30, 30), random(-30, 30));
+        onEachTarget([&] {
+            Near near;
+            weighNear(places, p, 3, near);
+            std::size_t found = 0;
+            for (std::size_t k = 0; k < count; ++k) {
+                const double expected = std::exp(-(all[k] - p).length2() / 18);
+                if (expected < 0x1p-40) continue;
+                REQUIRE(found < near.indices.size());
+                CHECK(near.indices[found] == k);
+                CHECK(std::abs(near.weights[found] - expected) <= limit * expected);
+                ++found;
+            }
+            CHECK(found == near.indices.size());
+        });
     }
 }
