@@ -177,12 +177,21 @@ def tiff_by_hand(path, entries, values, data, data_at):
     path.write_bytes(bytes(content) + data)
 
 
+def turned_cmyk_jpeg(path):
+    cmyk_jpeg(path)
+    run("exiftool", "-q", "-n", "-overwrite_original", "-XMP-dc:Title=inks", "-Orientation=6", path)
+
+
 def ink_rows():
     yield Case("TIFF", "CMYK, ICC profile of a press", "Pillow", "transicc", "cmyk.tif", cmyk_tiff,
                lambda path: by_press(path, inks()), limit=TABLE, says=OUTSIDE)
     yield Case("JPEG", "CMYK (Adobe), ICC profile of a press", "Pillow", "Pillow, transicc",
                "cmyk.jpg", cmyk_jpeg, lambda path: by_press(path, by_pillow_cmyk(path)),
                limit=TABLE, says=OUTSIDE)
+    yield Case("JPEG", "CMYK (Adobe), ICC profile, XMP, orientation 6", "Pillow, exiftool",
+               "Pillow, transicc", "cmyk6.jpg", turned_cmyk_jpeg,
+               lambda path: by_press(path, by_pillow_cmyk(path)), limit=TABLE,
+               says=r"its orientation \(Exif 6\)", read="texels where they are stored")
     yield Case("TIFF", "CMYK without a profile", "Pillow", "the product of what inks leave",
                "cmyk-plain.tif",
                lambda path: Image.frombytes("CMYK", (WIDTH, HEIGHT), inks().tobytes()).save(path),

@@ -17,7 +17,7 @@ std::optional<std::string> fileFingerprint(const std::string& path) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return {};
     const internal::InputStream file = internal::openStream(path);
-    std::vector<std::byte> buffer(std::size_t(1) << 20);
+    std::vector<std::byte> buffer(std::size_t(1) << 16);
     std::uint32_t crc = 0;
     std::uint64_t length = 0;
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {

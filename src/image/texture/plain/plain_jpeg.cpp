@@ -13,9 +13,11 @@ std::unique_ptr<ImageFile> openPlainJpeg(const std::string& path) {
     if (!decoder->isPlain()) {
         if (!decoder->hasInks()) return {};
         // OpenImageIO mixes the inks, but knows the metadata.
-        const ImageDescription& rich = openImageIOParts(path).openImage(path, {})->description();
-        description.attributes = rich.attributes;
-        description.notes.insert(description.notes.end(), rich.notes.begin(), rich.notes.end());
+        const std::unique_ptr<ImageFile> rich = openImageIOParts(path).openImage(path, {});
+        const ImageDescription& d = rich->description();
+        description.attributes = d.attributes;
+        description.orientation = d.orientation;
+        description.notes.insert(description.notes.end(), d.notes.begin(), d.notes.end());
     }
     return std::make_unique<SequentialFile<JpegDecoder>>(path, std::move(decoder),
                                                          std::move(description));
