@@ -119,15 +119,15 @@ void Baking::readBand(Band& band) {
 
 /// The nodes that a band needs, all threads together: a small texture has no other bands for them.
 /// If some of the rows need none, the others need few, and find them by themselves.
-void Baking::solveNodes(const Band& band) {
+void Baking::solveNodes(const Band& band, Buffers& buffers) {
     if (!upsampler_.options().grid) return;
     constexpr int sparse = 4;
     constexpr std::size_t worthATask = 32;
-    for (int row = 0; row < band.rows; row += sparse) noteNodes(band, row);
+    for (int row = 0; row < band.rows; row += sparse) noteNodes(band, row, buffers);
     std::size_t noted = upsampler_.noteNodes({});
     if (noted == 0) return;
     for (int row = 0; row < band.rows; ++row) {
-        if (row % sparse != 0) noted = noteNodes(band, row);
+        if (row % sparse != 0) noted = noteNodes(band, row, buffers);
     }
     // Isolated: a thread that waits here must not begin another band, which may wait for this one.
     tbb::this_task_arena::isolate([&] {
@@ -136,17 +136,17 @@ void Baking::solveNodes(const Band& band) {
     });
 }
 
-std::size_t Baking::noteNodes(const Band& band, int row) {
+std::size_t Baking::noteNodes(const Band& band, int row, Buffers& buffers) {
     const int width = source_.info().data.width;
-    Buffers& buffers = buffers_.local();
     decodeRun(band, {0, band.firstRow + row, width, 1}, buffers);
     return upsampler_.noteNodes(buffers.colors);
 }
 
 void Baking::processBand(Band& band) {
     const ChunkGrid& image = sink_.levels().front();
-    solveNodes(band);
-    Buffers& buffers = buffers_.local();
+    Buffers buffers;
+    idle_.try_pop(buffers);
+    solveNodes(band, buffers);
     for (std::size_t i = 0; i < band.packed.size(); ++i) {
         const int chunk = band.firstChunk + int(i);
         std::vector<std::byte> samples;
@@ -162,13 +162,14 @@ void Baking::processBand(Band& band) {
         if (band.census.withoutSpectrum() == 0)
             band.packed[i] = sink_.pack(chunk, std::move(samples));
     }
-    if (hasLevels() && band.census.withoutSpectrum() == 0) reduceBand(band);
+    if (hasLevels() && band.census.withoutSpectrum() == 0) reduceBand(band, buffers);
+    idle_.push(std::move(buffers));
     band.stored = {};
     band.beside = {};
 }
 
 /// The rows of the level below whose first tap is in the band.
-void Baking::reduceBand(Band& band) {
+void Baking::reduceBand(Band& band, Buffers& buffers) {
     const ChunkGrid& image = sink_.levels().front();
     const int height = image.height;
     std::vector<std::pair<int, TexelRow>> known;  // rows of the image
@@ -177,7 +178,7 @@ void Baking::reduceBand(Band& band) {
         if (taps.first >= band.firstRow + band.rows) break;
         std::erase_if(known, [&](const auto& k) { return k.first < taps.first; });
         for (int y = taps.first + int(known.size()); y < taps.first + taps.count; ++y) {
-            known.emplace_back(y, unroundedRow(band, y));
+            known.emplace_back(y, unroundedRow(band, y, buffers));
         }
         std::vector<const TexelRow*> rows;
         for (const auto& [y, texels] : known) rows.push_back(&texels);
@@ -185,12 +186,12 @@ void Baking::reduceBand(Band& band) {
     }
 }
 
-TexelRow Baking::unroundedRow(const Band& band, int row) {
+TexelRow Baking::unroundedRow(const Band& band, int row, Buffers& buffers) {
     const int width = sink_.levels().front().width;
     TexelRow texels(std::size_t(width) * std::size_t(sink_.channelCount()));
     ColorCensus counted;  // once, when the row's samples were made
     BesideCensus besideCounted;
-    bakeRun(band, {0, row, width, 1}, SampleType::float32, buffers_.local(),
+    bakeRun(band, {0, row, width, 1}, SampleType::float32, buffers,
             std::as_writable_bytes(std::span(texels)), counted, besideCounted);
     return texels;
 }

@@ -9,7 +9,6 @@
 #include <specbake/image/spectral_sink.h>
 
 #include <tbb/concurrent_queue.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include <array>
 #include <span>
@@ -34,33 +33,35 @@ class Baking {
     const BesideCensus& besideCensus() const { return besideCensus_; }
 
   private:
-    std::vector<Band> bandsOf() const;
-    std::size_t bandBytes(const Band& band) const;
-    void readBand(Band& band);
-    void processBand(Band& band);
-    void reduceBand(Band& band);
-    void writeBand(Band& band);
-    bool hasLevels() const { return sink_.levels().size() > 1; }
-    /// Halves of fewer bits than they have.
-    bool isShort(SampleType type) const {
-        return type == SampleType::half && bits_ < BakeOptions::kMostMantissaBits;
-    }
-    /// What a thread keeps from band to band.
+    /// What one band's work leaves for that of another. There are as many as bands in work, however
+    /// many threads take turns.
     struct Buffers {
         std::vector<std::array<float, 3>> colors;
         std::vector<float> alpha;
         std::vector<float> unrounded;  ///< samples, where they are mixed or get fewer bits
         Upsampler::Workspace upsampling;
     };
-    void solveNodes(const Band& band);
-    std::size_t noteNodes(const Band& band, int row);
+
+    std::vector<Band> bandsOf() const;
+    std::size_t bandBytes(const Band& band) const;
+    void readBand(Band& band);
+    void processBand(Band& band);
+    void reduceBand(Band& band, Buffers& buffers);
+    void writeBand(Band& band);
+    bool hasLevels() const { return sink_.levels().size() > 1; }
+    /// Halves of fewer bits than they have.
+    bool isShort(SampleType type) const {
+        return type == SampleType::half && bits_ < BakeOptions::kMostMantissaBits;
+    }
+    void solveNodes(const Band& band, Buffers& buffers);
+    std::size_t noteNodes(const Band& band, int row, Buffers& buffers);
     /// Colours and alpha of some neighbours in one row, into the buffers.
     void decodeRun(const Band& band, const Window& run, Buffers& buffers) const;
     /// Samples of some neighbours in one row, plane by plane.
     void bakeRun(const Band& band, const Window& run, SampleType type, Buffers& buffers,
                  std::span<std::byte> samples, ColorCensus& census, BesideCensus& beside);
     void store(std::span<const float> samples, SampleType type, std::byte* to) const;
-    TexelRow unroundedRow(const Band& band, int row);
+    TexelRow unroundedRow(const Band& band, int row, Buffers& buffers);
 
     const TexelSource& source_;
     const Upsampler& upsampler_;
@@ -77,7 +78,7 @@ class Baking {
     LevelTiles levelTiles_;
     ColorCensus census_;
     BesideCensus besideCensus_;
-    tbb::enumerable_thread_specific<Buffers> buffers_;
+    tbb::concurrent_queue<Buffers> idle_;
     /// Memory of chunks that are written, for those to come: fresh pages cost more than a copy.
     tbb::concurrent_queue<std::vector<std::byte>> spare_;
 };

@@ -120,7 +120,7 @@ const Solid& Upsampler::solid() const {
 
 std::string Upsampler::identity() const {
     const UpsamplerOptions& o = parts_->options;
-    return std::string("specbake ") + kVersion + "; " + o.method + "; " +
+    return "specbake " + std::string(kVersion) + "; " + o.method + "; " +
            (o.material ? "material " + *o.material + "; " : "") +
            (o.samples.empty() ? "" : samplesIdentity() + "; ") +
            (o.grid ? "grid " + std::to_string(*o.grid) : "each colour by itself") +
