@@ -19,7 +19,7 @@ constexpr std::uint64_t kPage = 4096;
 constexpr std::size_t kSmall = 1 << 16;
 /// Space is taken in steps as large as what is written, between these.
 constexpr std::uint64_t kLeastStep = 1 << 20;
-constexpr std::uint64_t kLargestStep = 1 << 26;
+constexpr std::uint64_t kLargestStep = 1 << 24;
 
 /// Space from `begin` to `end` of a file whose size stays. False, with errno, if it is not to be
 /// had.
