@@ -1,3 +1,5 @@
+#include "support/contents.h"
+
 #include <specbake/bake/bake.h>
 #include <specbake/core/error.h>
 #include <specbake/core/upsampler.h>
@@ -11,10 +13,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <random>
 
 using namespace specbake;
+using specbake::testing::contentsOf;
 
 namespace {
 
@@ -53,11 +55,6 @@ struct Rows {
                 }};
     }
 };
-
-std::string contents(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 }  // namespace
 
@@ -118,8 +115,8 @@ TEST_CASE("a file and the same image in an array are baked to the same bytes") {
         }
         bake(file, first, options);  // as a texture: a path's identity would stand in the result
         bake(texture, second, options);
-        CHECK(contents(first) == contents(second));
-        CHECK(contents(first).size() > 1000);
+        CHECK(contentsOf(first) == contentsOf(second));
+        CHECK(contentsOf(first).size() > 1000);
     }
     std::filesystem::remove(first);
     std::filesystem::remove(second);

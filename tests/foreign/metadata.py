@@ -13,7 +13,6 @@ import math
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
 
 import exr

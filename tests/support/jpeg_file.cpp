@@ -1,15 +1,20 @@
 #include "support/jpeg_file.h"
 
-#include <doctest/doctest.h>
+#include "support/contents.h"
 
-#include <fstream>
-#include <iterator>
+#include <doctest/doctest.h>
 
 namespace specbake::testing {
 
 std::string jpegSegment(int marker, const std::string& data) {
     const std::size_t length = data.size() + 2;
     return std::string{'\xff', char(marker), char(length >> 8), char(length & 255)} + data;
+}
+
+std::string jfifSegment(char unit, int x, int y) {
+    const auto two = [](int n) { return std::string{char(n >> 8), char(n & 255)}; };
+    return jpegSegment(
+        0xe0, std::string("JFIF\0\1\2", 7) + unit + two(x) + two(y) + std::string("\0\0", 2));
 }
 
 std::string withoutMetadata(const std::string& jpeg) {
@@ -29,7 +34,7 @@ std::string withoutMetadata(const std::string& jpeg) {
 }
 
 std::string plainJpeg() {
-    return withoutMetadata(bytesOfFile(SPECBAKE_SOURCE_DIR "/testimages/rgb8.jpg"));
+    return withoutMetadata(contentsOf(SPECBAKE_SOURCE_DIR "/testimages/rgb8.jpg"));
 }
 
 std::string jpegWithSegments(const std::string& segments) {
@@ -37,11 +42,6 @@ std::string jpegWithSegments(const std::string& segments) {
     constexpr std::size_t jfifEnd = 2 + 18;
     REQUIRE(whole.substr(6, 4) == "JFIF");
     return whole.substr(0, 2) + segments + whole.substr(jfifEnd);
-}
-
-std::string bytesOfFile(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace specbake::testing

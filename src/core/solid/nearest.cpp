@@ -208,7 +208,7 @@ Vertex Solid::Data::near(const XYZ& color, double gauge) const {
     constexpr double far = 2;
     const Imath::V3d d = color - center;
     const std::size_t face = faces.atLeast(gauge, d).front();
-    if (gauge > far || face == corners().size()) return farthest(vectors, color, d);
+    if (gauge > far || face == generators->sides.size()) return farthest(vectors, color, d);
     return corner(face, faces.level(face, d) < 0, color);
 }
 

@@ -33,15 +33,14 @@ bool take(int file, std::uint64_t begin, std::uint64_t end) {
 #endif
 }
 
-/// What a file may grow to: beyond it some systems send a signal that ends the program.
+}  // namespace
+
 std::uint64_t largestFile() {
     rlimit limit{};
     if (getrlimit(RLIMIT_FSIZE, &limit) != 0) return 0;
     constexpr std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
     return limit.rlim_cur == RLIM_INFINITY ? all : std::uint64_t(limit.rlim_cur);
 }
-
-}  // namespace
 
 WriteStream::WriteStream(const std::filesystem::path& path)
     : file_(open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
@@ -57,6 +56,7 @@ bool WriteStream::noteError() {
     return false;
 }
 
+// Beyond the limit some systems send a signal that ends the program: no space is taken there.
 bool WriteStream::reserve(std::uint64_t size) {
     takes_ = takes_ && size <= largestFile();
     if (!takes_ || size <= taken_) return true;

@@ -8,6 +8,9 @@
 
 namespace specbake::internal {
 
+/// What the system lets a file grow to (RLIMIT_FSIZE); 0 if it does not say.
+std::uint64_t largestFile();
+
 /// Writes into a file that exists and is empty. It is not truncated once more: ext4 would take that
 /// for a file being replaced, and wait at its end until the disk has made room for all of it.
 ///

@@ -1,6 +1,7 @@
 #include "file/write_stream.h"
 
-#include "support/jpeg_file.h"
+#include "support/below.h"
+#include "support/contents.h"
 #include "support/temporary_file.h"
 
 #include <doctest/doctest.h>
@@ -16,13 +17,9 @@ namespace {
 
 using Random = std::mt19937;
 
-std::size_t below(Random& random, std::size_t end) {
-    return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
-}
-
 std::string randomBytes(Random& random) {
     constexpr std::size_t most[] = {20, 5000, 70000, 300000};
-    std::string bytes(below(random, most[below(random, 4)]), '\0');
+    std::string bytes(below(random, most[below<std::size_t>(random, 4)]), '\0');
     for (char& c : bytes) c = char(random());
     return bytes;
 }
@@ -49,10 +46,11 @@ TEST_CASE("a file holds what was written, in whatever pieces, one behind the oth
         const TemporaryFile file("");
         std::string expected;
         WriteStream stream(file.path());
-        if (below(random, 2) == 0) REQUIRE(stream.reserve(below(random, 4000000)));
-        for (std::size_t piece = below(random, 60); piece > 0; --piece) {
+        if (below<std::size_t>(random, 2) == 0)
+            REQUIRE(stream.reserve(below<std::size_t>(random, 4000000)));
+        for (std::size_t piece = below<std::size_t>(random, 60); piece > 0; --piece) {
             const std::string bytes = randomBytes(random);
-            const bool goesOn = below(random, 8) != 0;
+            const bool goesOn = below<std::size_t>(random, 8) != 0;
             const std::size_t offset =
                 goesOn ? expected.size() : below(random, expected.size() + 100000);
             REQUIRE(stream.write(bytes.data(), bytes.size(), offset));
@@ -60,7 +58,7 @@ TEST_CASE("a file holds what was written, in whatever pieces, one behind the oth
         }
         REQUIRE(stream.close());
         CHECK(stream.error().empty());
-        CHECK(bytesOfFile(file.path()) == expected);
+        CHECK(contentsOf(file.path()) == expected);
     }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "support/contents.h"
+
 #include <sys/types.h>
 
 #include <filesystem>
@@ -71,7 +73,6 @@ std::string testImage(const std::string& name);
 /// The images of testimages/, by name.
 std::vector<std::string> testImages();
 
-std::string contentsOf(const std::string& path);
 void writeFile(const std::string& path, const std::string& contents);
 std::vector<std::string> linesOf(const std::string& text);
 

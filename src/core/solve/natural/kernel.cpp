@@ -6,6 +6,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -79,12 +80,13 @@ void weighNear(const Places& places, const Imath::V3d& p, double h, Near& near) 
     constexpr double negligible = 0x1p-40;
     const double factor = -1 / (2 * h * h);
     const double farthest = std::log(negligible) / factor;
-    near.indices.resize(places.x.size() + kMostLanes);
-    near.weights.resize(places.x.size() + kMostLanes);
+    const std::size_t room = std::max(near.weightRoom.size(), places.x.size() + kMostLanes);
+    near.indexRoom.resize(room);
+    near.weightRoom.resize(room);
     const std::size_t count = HWY_DYNAMIC_DISPATCH(weighAll)(
-        places, p, farthest, factor, near.indices.data(), near.weights.data());
-    near.indices.resize(count);
-    near.weights.resize(count);
+        places, p, farthest, factor, near.indexRoom.data(), near.weightRoom.data());
+    near.indices = std::span(near.indexRoom).first(count);
+    near.weights = std::span(near.weightRoom).first(count);
 }
 
 }  // namespace specbake::internal

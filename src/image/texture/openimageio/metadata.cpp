@@ -6,9 +6,7 @@ namespace specbake::internal {
 namespace {
 
 bool isVector(const OIIO::TypeDesc& type) {
-    const std::size_t count = type.basevalues();
-    return type.basetype == OIIO::TypeDesc::FLOAT &&
-           (count == 2 || count == 3 || count == 9 || count == 16);
+    return type.basetype == OIIO::TypeDesc::FLOAT && isVectorSize(type.basevalues());
 }
 
 /// Of any size, alone: what Exif and TIFF call BYTE, SHORT and LONG.

@@ -10,7 +10,6 @@
 #include <new>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace specbake::internal {
@@ -145,9 +144,7 @@ std::optional<AttributeValue> valueOf(const ExifEntry& entry, ExifByteOrder orde
         case EXIF_FORMAT_RATIONAL:
         case EXIF_FORMAT_SRATIONAL:
             if (count == 1) return quotients(entry, order).front();
-            if (count == 2 || count == 3 || count == 9 || count == 16) {
-                return quotients(entry, order);
-            }
+            if (isVectorSize(count)) return quotients(entry, order);
             return {};
         default:
             return {};
@@ -162,29 +159,25 @@ bool hasMakerNoteOfCanon(const ExifData& block) {
 
 }  // namespace
 
-std::optional<Attributes> readExif(std::string_view tiff) {
+std::optional<ExifFacts> readExif(std::string_view tiff) {
     const Block block = load(tiff);
     if (hasMakerNoteOfCanon(*block)) return {};
     const ExifByteOrder order = exif_data_get_byte_order(block.get());
-    Attributes attributes;
+    ExifFacts facts;
     for (const ExifIfd directory : {EXIF_IFD_0, EXIF_IFD_EXIF, EXIF_IFD_GPS}) {
         const ExifContent& content = *block->ifd[directory];
         for (const ExifEntry* entry : std::span(content.entries, content.count)) {
             const std::string name = nameOf(entry->tag, directory);
             if (name.empty()) continue;
-            if (auto value = valueOf(*entry, order)) attributes.emplace(name, std::move(*value));
+            if (auto value = valueOf(*entry, order)) facts.attributes.emplace(name, *value);
         }
     }
-    return attributes;
-}
-
-void keepMetadata(ImageDescription& description) {
-    Attributes& attributes = description.attributes;
-    const auto found = attributes.find("Orientation");
-    const auto* orientation =
-        found == attributes.end() ? nullptr : std::get_if<int>(&found->second);
-    if (orientation != nullptr) description.orientation = validOrientation(*orientation);
-    std::erase_if(attributes, [](const auto& entry) { return !isKeptMetadata(entry.first); });
+    if (const auto orientation = facts.attributes.extract("Orientation")) {
+        const auto* stored = std::get_if<int>(&orientation.mapped());
+        if (stored != nullptr) facts.orientation = validOrientation(*stored);
+    }
+    std::erase_if(facts.attributes, [](const auto& a) { return !isKeptMetadata(a.first); });
+    return facts;
 }
 
 }  // namespace specbake::internal

@@ -7,12 +7,14 @@
 
 namespace specbake::internal {
 
-/// What a block of Exif (CIPA DC-008), from its TIFF header on, says of an image, under the names
-/// and as the types that OpenImageIO has for it. What cannot be read of it is left out. Nothing if
-/// OpenImageIO knows more: maker notes of Canon.
-std::optional<Attributes> readExif(std::string_view tiff);
+/// What Exif says of an image.
+struct ExifFacts {
+    Attributes attributes;  ///< those that are kept, as OpenImageIO names and types them
+    int orientation = 1;
+};
 
-/// Reads the orientation out of the attributes, and removes what is not kept.
-void keepMetadata(ImageDescription& description);
+/// Of a block of Exif (CIPA DC-008), from its TIFF header on. What cannot be read of it is left
+/// out. Nothing if OpenImageIO knows more: maker notes of Canon.
+std::optional<ExifFacts> readExif(std::string_view tiff);
 
 }  // namespace specbake::internal

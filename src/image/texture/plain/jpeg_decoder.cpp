@@ -1,6 +1,5 @@
 #include "texture/plain/jpeg_decoder.h"
 
-#include "texture/kept_metadata.h"
 #include "texture/plain/exif_block.h"
 
 #include <specbake/core/error.h>
@@ -71,7 +70,6 @@ JpegDecoder::JpegDecoder(const std::string& path) : path_(path), stream_(openStr
     readProfile();
     readMarkers();
     readDensity();
-    keepMetadata(description_);
 }
 
 void JpegDecoder::readHeader() {
@@ -145,7 +143,8 @@ void JpegDecoder::readExifOrXmp(std::string_view data) {
     auto exif = readExif(data.substr(kExif.size()));
     plain_ = plain_ && exif && !hasExif_;
     if (!plain_) return;
-    description_.attributes.merge(*exif);
+    description_.attributes.merge(exif->attributes);
+    description_.orientation = exif->orientation;
     hasExif_ = true;
 }
 

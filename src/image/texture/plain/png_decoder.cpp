@@ -15,6 +15,7 @@
 #include <cstring>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace specbake::internal {
 namespace {
@@ -191,12 +192,10 @@ void PngDecoder::readExifChunk() {
     png_bytep bytes = nullptr;
     if (png_get_eXIf_1(png_.read, png_.info, &size, &bytes) == 0) return;
     auto exif = readExif({reinterpret_cast<const char*>(bytes), size});
-    if (!exif) {
-        hasRichMetadata_ = true;
-        return;
-    }
-    description_.attributes.merge(*exif);
-    keepMetadata(description_);
+    hasRichMetadata_ = !exif;
+    if (!exif) return;
+    description_.attributes = std::move(exif->attributes);
+    description_.orientation = exif->orientation;
 }
 
 void PngDecoder::readRow(std::byte* samples) {

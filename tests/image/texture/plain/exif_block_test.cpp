@@ -1,5 +1,6 @@
 #include "texture/plain/exif_block.h"
 
+#include "support/below.h"
 #include "support/jpeg_file.h"
 #include "support/png_file.h"
 #include "support/same_image.h"
@@ -20,10 +21,6 @@ using namespace specbake::testing;
 namespace {
 
 using Random = std::mt19937;
-
-int below(Random& random, int end) {
-    return std::uniform_int_distribution(0, end - 1)(random);
-}
 
 /// One entry of a directory (TIFF 6.0, section 2).
 struct Entry {
@@ -143,11 +140,9 @@ std::string randomBlock(Random& random) {
 
 /// Exif, behind what else speaks of the resolution, and before or behind a comment.
 std::string randomSegments(Random& random) {
-    const std::string jfif[] = {"", std::string("JFIF\0\1\2\1\0\x48\0\x48\0\0", 14),
-                                std::string("JFIF\0\1\2\0\0\1\0\1\0\0", 14),
-                                std::string("JFIF\0\1\2\2\0\0\0\1\0\0", 14)};
-    const std::string& header = jfif[below(random, 4)];
-    std::string segments = header.empty() ? "" : jpegSegment(0xe0, header);
+    const std::string jfif[] = {"", jfifSegment(1, 72, 72), jfifSegment(0, 1, 1),
+                                jfifSegment(2, 0, 1)};
+    std::string segments = jfif[below(random, 4)];
     if (below(random, 4) == 0) segments += jpegSegment(0xfe, "a comment");
     segments += jpegSegment(0xe1, std::string("Exif\0\0", 6) + randomBlock(random));
     if (below(random, 4) == 0) segments += jpegSegment(0xfe, "a comment");

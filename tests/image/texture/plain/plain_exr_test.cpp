@@ -1,5 +1,7 @@
 #include "texture/plain/plain_exr.h"
 
+#include "support/below.h"
+#include "support/contents.h"
 #include "support/same_image.h"
 #include "support/temporary_file.h"
 
@@ -22,10 +24,6 @@ namespace {
 
 using Random = std::mt19937;
 using Names = std::vector<std::string>;
-
-int below(Random& random, int end) {
-    return std::uniform_int_distribution(0, end - 1)(random);
-}
 
 const std::array<Names, 8> kChannels = {Names{"Y"},           Names{"Y", "A"},
                                         Names{"R", "G", "B"}, Names{"R", "G", "B", "A"},
@@ -89,11 +87,6 @@ void checkFacts(const ImageFile& image, const std::string& path) {
                                         [&](const auto& a) { return a.first == name; });
         CHECK((found != facts->attributes.end()) == (in->spec().find_attribute(name) != nullptr));
     }
-}
-
-std::string contentsOf(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "texture/plain/plain_jpeg.h"
 
+#include "support/contents.h"
 #include "support/jpeg_file.h"
 #include "support/same_image.h"
 #include "support/temporary_file.h"
@@ -22,12 +23,6 @@ namespace {
 using Random = std::mt19937;
 
 const std::string kImages = SPECBAKE_SOURCE_DIR "/testimages/";
-
-std::string jfif(char unit, int x, int y) {
-    const auto two = [](int n) { return std::string{char(n >> 8), char(n & 255)}; };
-    return jpegSegment(
-        0xe0, std::string("JFIF\0\1\2", 7) + unit + two(x) + two(y) + std::string("\0\0", 2));
-}
 
 std::string refusal(const std::string& contents) {
     const TemporaryFile file(contents);
@@ -70,7 +65,7 @@ TEST_CASE("any size and quality, grey or colour, subsampled or not, reads the sa
         REQUIRE(output->open(file.path(), spec));
         REQUIRE(output->write_image(OIIO::TypeUInt8, pixels.data()));
         REQUIRE(output->close());
-        const std::string contents = withoutMetadata(bytesOfFile(file.path()));
+        const std::string contents = withoutMetadata(contentsOf(file.path()));
         std::ofstream(file.path(), std::ios::binary) << contents;
         const auto image = openPlainJpeg(file.path());
         REQUIRE(image);
@@ -87,13 +82,13 @@ TEST_CASE("what stands beside the pixels reads the same") {
     const std::string iptc("Photoshop 3.0\0008BIM\4\4\0\0\0\0\0\0", 26);
     const std::string clipping("Photoshop 3.0\0008BIM\7\320\0\0\0\0\0\0", 26);
     const Segments all[] = {{"", true},
-                            {jfif(0, 1, 1), true},
-                            {jfif(1, 72, 72), true},
-                            {jfif(2, 28, 28), true},
-                            {jfif(0, 2, 1), true},
-                            {jfif(1, 300, 150), true},
-                            {jfif(1, 0, 72), true},
-                            {jfif(7, 30, 30), true},
+                            {jfifSegment(0, 1, 1), true},
+                            {jfifSegment(1, 72, 72), true},
+                            {jfifSegment(2, 28, 28), true},
+                            {jfifSegment(0, 2, 1), true},
+                            {jfifSegment(1, 300, 150), true},
+                            {jfifSegment(1, 0, 72), true},
+                            {jfifSegment(7, 30, 30), true},
                             {jpegSegment(0xfe, "a comment"), true},
                             {jpegSegment(0xfe, std::string("ends in zero\0", 13)), true},
                             {jpegSegment(0xfe, "one") + jpegSegment(0xfe, "two"), true},

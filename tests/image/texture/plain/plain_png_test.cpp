@@ -1,5 +1,6 @@
 #include "texture/plain/plain_png.h"
 
+#include "support/below.h"
 #include "support/png_file.h"
 #include "support/same_image.h"
 #include "support/temporary_file.h"
@@ -19,10 +20,6 @@ using namespace specbake::testing;
 namespace {
 
 using Random = std::mt19937;
-
-int below(Random& random, int end) {
-    return std::uniform_int_distribution(0, end - 1)(random);
-}
 
 /// Rows of chance: any bytes behind any of the five filters are an image. Few different bytes, so
 /// that the stream has matches and codes of several lengths.

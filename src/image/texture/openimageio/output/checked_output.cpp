@@ -1,7 +1,6 @@
 #include "texture/openimageio/output/checked_output.h"
 
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -41,10 +40,8 @@ bool CheckedOutput::open(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec)
 
 /// A file in memory ends where the limit on files' sizes cuts it, and its format does not notice.
 bool CheckedOutput::isCut() const {
-    rlimit limit{};
     struct stat status {};
-    if (getrlimit(RLIMIT_FSIZE, &limit) != 0 || fstat(memory_, &status) != 0) return true;
-    return limit.rlim_cur != RLIM_INFINITY && rlim_t(status.st_size) >= limit.rlim_cur;
+    return fstat(memory_, &status) != 0 || std::uint64_t(status.st_size) >= largestFile();
 }
 
 bool CheckedOutput::copyMemory() {
